@@ -1,0 +1,3 @@
+//! The keypose command.
+
+fn main() {}

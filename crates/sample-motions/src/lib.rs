@@ -1,0 +1,1 @@
+//! Synthetic dances and gaits as BVH, each with its true keyposes.
