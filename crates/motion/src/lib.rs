@@ -1,1 +1,23 @@
-//! Motion capture in BVH.
+//! Motion capture in BVH: from the bytes of a file to its keyposes.
+//!
+//! One way through, each arrow one module, nothing pointing backwards:
+//!
+//! ```text
+//! bytes ─▶ bvh ─▶ clip ─▶ kinematics ─▶ body ─▶ track (pelvis coordinates of the principal joints)
+//!                                                 │
+//!                        ┌────────────────────────┴──────────┐
+//!                        ▼                                   ▼
+//!      speed ▶ keypose (filter ▶ candidates ▶           feature (posture variation)
+//!        correspondence ▶ intensity ▶ significance)
+//!                        └─────────────────┬─────────────────┘
+//!                                          ▼
+//!                                 analysis ▶ report
+//! ```
+//!
+//! The crate knows no browser, no file and no clock; every number is an `f64`, and the same
+//! input gives the same bits on every platform.
+
+pub mod clip;
+pub mod note;
+pub mod skeleton;
+pub mod track;
