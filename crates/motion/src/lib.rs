@@ -18,6 +18,13 @@
 //! input gives the same bits on every platform.
 
 pub mod clip;
+pub mod feature;
+pub mod hodrick_prescott;
+pub mod keypose;
 pub mod note;
 pub mod skeleton;
+pub mod speed;
 pub mod track;
+
+#[cfg(test)]
+mod test_random;

@@ -1,0 +1,432 @@
+//! The Hodrick–Prescott filter: signals in, the same signals without their fast part out.
+//!
+//! `x = argmin Σ (y − x)² + λ Σ (Δ²x)²`, that is `(I + λ KᵀK) x = y` with K the (N−2) × N second
+//! difference. The gain at the frequency f is `1 / (1 + 16 λ sin⁴(π f / fs))`.
+//!
+//! The dual system `(K Kᵀ + I/λ) w = K y`, `x = y − Kᵀ w` is solved instead: at low cut-offs it
+//! keeps two to five digits more. Its matrix is pentadiagonal and the same read backwards, so
+//! that one factorisation serves three passes over the signal:
+//!
+//! 1. up: eliminate `K y`;
+//! 2. down: substitute w, and eliminate, downward, the residual `K (y − Kᵀ w) − w/λ`;
+//! 3. up: substitute the correction δ of this one step of refinement, `x = y − Kᵀ (w + δ)`.
+//!
+//! `L` lanes are solved side by side: columns that share λ, or one signal with several λ. A lane's
+//! bits do not depend on its neighbours.
+//!
+//! Source: R. J. Hodrick, E. C. Prescott, "Postwar U.S. Business Cycles", 1997; used on motion in
+//! Miura et al., "Adaptive Keypose Extraction from Motion Capture Data", 2014, eq. 1–4.
+
+use std::f64::consts::PI;
+
+/// λ of the filter whose gain is one half at `cutoff_hz`, at `rate_hz` samples a second:
+/// `1 / (16 sin⁴(π f_c / fs))`.
+pub fn lambda_of_cutoff(cutoff_hz: f64, rate_hz: f64) -> f64 {
+    let sine = libm::sin(PI * cutoff_hz / rate_hz);
+    let square = sine * sine;
+    1.0 / (16.0 * (square * square))
+}
+
+/// Filters one signal: `signal` with the cut-off `cutoff_hz`, as a new series.
+///
+/// A cut-off at or above half the rate leaves the signal as it is.
+pub fn low_pass(signal: &[f64], cutoff_hz: f64, rate_hz: f64) -> Vec<f64> {
+    let mut filtered = signal.to_vec();
+    if cutoff_hz < rate_hz / 2.0 {
+        Filter::new(signal.len(), lambda_of_cutoff(cutoff_hz, rate_hz))
+            .apply(signal, &mut filtered);
+    }
+    filtered
+}
+
+/// The filter of one λ for signals of one length.
+#[derive(Clone, Debug)]
+pub struct Filter {
+    lanes: LaneFilter<1>,
+}
+
+impl Filter {
+    /// Factorises the system for signals of `len` samples.
+    pub fn new(len: usize, lambda: f64) -> Self {
+        Self {
+            lanes: LaneFilter::new(len, [lambda]),
+        }
+    }
+
+    /// Writes the filtered `signal` to `out`.
+    ///
+    /// # Panics
+    /// If `signal` is shorter than the length given to [`Filter::new`].
+    pub fn apply(&self, signal: &[f64], out: &mut [f64]) {
+        let mut solution = Solution::default();
+        self.lanes.start(&mut solution);
+        self.lanes
+            .advance(&Repeated(signal), &mut solution, usize::MAX);
+        for (sample, row) in out.iter_mut().zip(solution.rows()) {
+            *sample = row[0];
+        }
+    }
+}
+
+/// Where the samples of `L` lanes come from.
+pub trait Rows<const L: usize> {
+    /// Sample `n` of every lane.
+    fn row(&self, n: usize) -> [f64; L];
+}
+
+/// One signal in every lane.
+#[derive(Clone, Copy, Debug)]
+pub struct Repeated<'a>(pub &'a [f64]);
+
+impl<const L: usize> Rows<L> for Repeated<'_> {
+    #[inline(always)]
+    fn row(&self, n: usize) -> [f64; L] {
+        [self.0[n]; L]
+    }
+}
+
+/// `L` neighbouring columns of a row-major table; columns beyond its width are zero.
+#[derive(Clone, Copy, Debug)]
+pub struct Columns<'a> {
+    /// The table, row after row.
+    pub values: &'a [f64],
+    /// Columns of the table.
+    pub width: usize,
+    /// The column in the first lane.
+    pub first: usize,
+}
+
+impl<const L: usize> Rows<L> for Columns<'_> {
+    #[inline(always)]
+    fn row(&self, n: usize) -> [f64; L] {
+        let start = n * self.width + self.first;
+        let mut row = [0.0; L];
+        if self.first + L <= self.width {
+            row.copy_from_slice(&self.values[start..start + L]);
+        } else {
+            let used = self.width - self.first;
+            row[..used].copy_from_slice(&self.values[start..start + used]);
+        }
+        row
+    }
+}
+
+/// One row of the factors of `K Kᵀ + I/λ = (lower · pivot) · lowerᵀ`, unit lower triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct FactorRow<const L: usize> {
+    /// One over the pivot; also the second subdiagonal of the unit triangle, whose outermost
+    /// entries are 1 before scaling.
+    inverse_pivot: [f64; L],
+    /// The first subdiagonal before scaling, left of this pivot.
+    beside: [f64; L],
+    /// The first subdiagonal of the unit triangle, below this pivot.
+    below: [f64; L],
+}
+
+/// Factors for `L` values of λ. The rows settle on a last value, from where they are not stored.
+#[derive(Clone, Debug)]
+struct Factors<const L: usize> {
+    head: Vec<FactorRow<L>>,
+    settled: FactorRow<L>,
+    inverse_lambda: [f64; L],
+}
+
+impl<const L: usize> Factors<L> {
+    fn new(unknowns: usize, lambda: [f64; L]) -> Self {
+        let inverse_lambda = lambda.map(|lambda| 1.0 / lambda);
+        let none = FactorRow {
+            inverse_pivot: [0.0; L],
+            beside: [0.0; L],
+            below: [0.0; L],
+        };
+        let (mut before, mut last) = (none, none);
+        let mut head = Vec::new();
+        for index in 0..unknowns {
+            let row = next_factor_row(index, &before, &last, &inverse_lambda);
+            if index > 3 && row == last && last == before {
+                break;
+            }
+            head.push(row);
+            (before, last) = (last, row);
+        }
+        Self {
+            head,
+            settled: last,
+            inverse_lambda,
+        }
+    }
+
+    #[inline(always)]
+    fn row(&self, index: usize) -> &FactorRow<L> {
+        self.head.get(index).unwrap_or(&self.settled)
+    }
+}
+
+/// Row `index` of the factors from the two rows before it (zero where there is none).
+fn next_factor_row<const L: usize>(
+    index: usize,
+    before: &FactorRow<L>,
+    last: &FactorRow<L>,
+    inverse_lambda: &[f64; L],
+) -> FactorRow<L> {
+    let mut row = *last;
+    for (lane, shift) in inverse_lambda.iter().enumerate() {
+        let beside = if index == 0 {
+            0.0
+        } else {
+            -4.0 - before.below[lane]
+        };
+        let pivot = (6.0 + shift) - last.below[lane] * beside - before.inverse_pivot[lane];
+        row.beside[lane] = beside;
+        row.inverse_pivot[lane] = 1.0 / pivot;
+        row.below[lane] = (-4.0 - last.below[lane]) / pivot;
+    }
+    row
+}
+
+/// The filter of `L` values of λ, one a lane, for signals of one length.
+#[derive(Clone, Debug)]
+pub struct LaneFilter<const L: usize> {
+    len: usize,
+    factors: Factors<L>,
+}
+
+impl<const L: usize> LaneFilter<L> {
+    /// Factorises the `L` systems for signals of `len` samples.
+    pub fn new(len: usize, lambda: [f64; L]) -> Self {
+        Self {
+            len,
+            factors: Factors::new(len.saturating_sub(2), lambda),
+        }
+    }
+
+    /// Makes `solution` ready for new samples, reusing its memory.
+    pub fn start(&self, solution: &mut Solution<L>) {
+        solution.dual.resize(self.len, [0.0; L]);
+        solution.partial.resize(self.len, [0.0; L]);
+        solution.carry = [[0.0; L]; 6];
+        solution.position = 0;
+        solution.pass = if self.len < 3 {
+            Pass::Copy
+        } else {
+            Pass::Eliminate
+        };
+    }
+
+    /// Works on `solution` for `budget` rows, after [`LaneFilter::start`] and always with the same
+    /// samples; a signal of N samples takes 3 N rows. True when it is solved.
+    pub fn advance<R: Rows<L>>(
+        &self,
+        samples: &R,
+        solution: &mut Solution<L>,
+        budget: usize,
+    ) -> bool {
+        let mut left = budget;
+        while left > 0 && solution.pass != Pass::Done {
+            let end = solution.len().min(solution.position.saturating_add(left));
+            left -= end - solution.position;
+            match solution.pass {
+                Pass::Copy => solution.copy(samples, end),
+                Pass::Eliminate => self.eliminate(samples, solution, end),
+                Pass::Refine => self.refine(samples, solution, end),
+                Pass::Correct => self.correct(samples, solution, end),
+                Pass::Done => {}
+            }
+            solution.position = end;
+            solution.end_pass();
+        }
+        solution.pass == Pass::Done
+    }
+
+    /// Pass 1, up: `partial` becomes the eliminated `K y`.
+    fn eliminate<R: Rows<L>>(&self, samples: &R, solution: &mut Solution<L>, end: usize) {
+        let unknowns = solution.len() - 2;
+        let [mut partial_1, mut partial_2, ..] = solution.carry;
+        for index in solution.position..end.min(unknowns) {
+            let factor = self.factors.row(index);
+            let (y_0, y_1, y_2) = (
+                samples.row(index),
+                samples.row(index + 1),
+                samples.row(index + 2),
+            );
+            let mut partial = [0.0; L];
+            for lane in 0..L {
+                let bend = second_difference(y_0[lane], y_1[lane], y_2[lane]);
+                partial[lane] = (bend - factor.beside[lane] * partial_1[lane] - partial_2[lane])
+                    * factor.inverse_pivot[lane];
+            }
+            solution.partial[index] = partial;
+            (partial_2, partial_1) = (partial_1, partial);
+        }
+        solution.carry[..2].copy_from_slice(&[partial_1, partial_2]);
+    }
+
+    /// Pass 2, down: `dual` becomes w, `partial` the downward eliminated residual.
+    ///
+    /// Sample k needs w(k−2), so that the residual follows the substitution two rows behind.
+    fn refine<R: Rows<L>>(&self, samples: &R, solution: &mut Solution<L>, end: usize) {
+        let (len, unknowns) = (solution.len(), solution.len() - 2);
+        let [
+            mut w_1,
+            mut w_2,
+            mut x_1,
+            mut x_2,
+            mut partial_1,
+            mut partial_2,
+        ] = solution.carry;
+        for k in (len - end..len - solution.position).rev() {
+            let w_0 = match k.checked_sub(2) {
+                Some(index) => substitute(
+                    self.factors.row(index),
+                    &solution.partial[index],
+                    &w_1,
+                    &w_2,
+                ),
+                None => [0.0; L],
+            };
+            let x_0 = primal(&samples.row(k), &w_2, &w_1, &w_0);
+            if k < unknowns {
+                let factor = self.factors.row(unknowns - 1 - k);
+                let mut partial = [0.0; L];
+                for lane in 0..L {
+                    let residual = second_difference(x_0[lane], x_1[lane], x_2[lane])
+                        - w_2[lane] * self.factors.inverse_lambda[lane];
+                    partial[lane] =
+                        (residual - factor.beside[lane] * partial_1[lane] - partial_2[lane])
+                            * factor.inverse_pivot[lane];
+                }
+                solution.partial[k] = partial;
+                (partial_2, partial_1) = (partial_1, partial);
+            }
+            if let Some(index) = k.checked_sub(2) {
+                solution.dual[index] = w_0;
+            }
+            (w_2, w_1) = (w_1, w_0);
+            (x_2, x_1) = (x_1, x_0);
+        }
+        solution.carry = [w_1, w_2, x_1, x_2, partial_1, partial_2];
+    }
+
+    /// Pass 3, up: `dual` becomes the filtered signal.
+    fn correct<R: Rows<L>>(&self, samples: &R, solution: &mut Solution<L>, end: usize) {
+        let unknowns = solution.len() - 2;
+        let [mut delta_1, mut delta_2, mut w_1, mut w_2, ..] = solution.carry;
+        for k in solution.position..end {
+            let mut w_0 = [0.0; L];
+            if k < unknowns {
+                let factor = self.factors.row(unknowns - 1 - k);
+                let delta = substitute(factor, &solution.partial[k], &delta_1, &delta_2);
+                for lane in 0..L {
+                    w_0[lane] = solution.dual[k][lane] + delta[lane];
+                }
+                (delta_2, delta_1) = (delta_1, delta);
+            }
+            solution.dual[k] = primal(&samples.row(k), &w_0, &w_1, &w_2);
+            (w_2, w_1) = (w_1, w_0);
+        }
+        solution.carry[..4].copy_from_slice(&[delta_1, delta_2, w_1, w_2]);
+    }
+}
+
+#[inline(always)]
+fn second_difference(first: f64, middle: f64, last: f64) -> f64 {
+    (first - middle) - (middle - last)
+}
+
+/// One row of the substitution with the unit triangle.
+#[inline(always)]
+fn substitute<const L: usize>(
+    factor: &FactorRow<L>,
+    partial: &[f64; L],
+    next_1: &[f64; L],
+    next_2: &[f64; L],
+) -> [f64; L] {
+    let mut value = [0.0; L];
+    for lane in 0..L {
+        value[lane] = partial[lane]
+            - factor.below[lane] * next_1[lane]
+            - factor.inverse_pivot[lane] * next_2[lane];
+    }
+    value
+}
+
+/// `x = y − Kᵀ w` at one sample, from the three w that meet there.
+#[inline(always)]
+fn primal<const L: usize>(
+    y: &[f64; L],
+    first: &[f64; L],
+    middle: &[f64; L],
+    last: &[f64; L],
+) -> [f64; L] {
+    let mut x = [0.0; L];
+    for lane in 0..L {
+        x[lane] = y[lane] - second_difference(first[lane], middle[lane], last[lane]);
+    }
+    x
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Pass {
+    /// Fewer than three samples: the signal itself.
+    Copy,
+    Eliminate,
+    Refine,
+    Correct,
+    Done,
+}
+
+/// Scratch space and, in the end, result of a [`LaneFilter`]: two tables of N × `L` numbers.
+#[derive(Clone, Debug)]
+pub struct Solution<const L: usize> {
+    dual: Vec<[f64; L]>,
+    partial: Vec<[f64; L]>,
+    carry: [[f64; L]; 6],
+    pass: Pass,
+    position: usize,
+}
+
+impl<const L: usize> Default for Solution<L> {
+    fn default() -> Self {
+        Self {
+            dual: Vec::new(),
+            partial: Vec::new(),
+            carry: [[0.0; L]; 6],
+            pass: Pass::Done,
+            position: 0,
+        }
+    }
+}
+
+impl<const L: usize> Solution<L> {
+    /// The filtered samples, row by row, once [`LaneFilter::advance`] has said true.
+    pub fn rows(&self) -> &[[f64; L]] {
+        &self.dual
+    }
+
+    fn len(&self) -> usize {
+        self.dual.len()
+    }
+
+    fn copy<R: Rows<L>>(&mut self, samples: &R, end: usize) {
+        for index in self.position..end {
+            self.dual[index] = samples.row(index);
+        }
+    }
+
+    /// Goes to the next pass if this one has reached its end.
+    fn end_pass(&mut self) {
+        if self.position < self.len() {
+            return;
+        }
+        self.position = 0;
+        self.carry = [[0.0; L]; 6];
+        self.pass = match self.pass {
+            Pass::Eliminate => Pass::Refine,
+            Pass::Refine => Pass::Correct,
+            Pass::Copy | Pass::Correct | Pass::Done => Pass::Done,
+        };
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,228 @@
+//! Extraction: a motion speed in; keyposes and every series on the way to them out.
+//!
+//! Candidates are the minima of the speed. At each time scale the minima of the filtered speed are
+//! matched with the surviving ones of the scale before, so that each survivor belongs to one
+//! candidate; what the candidates gather on the way is their intensity, and the significant ones
+//! are keyposes.
+//!
+//! Source: Miura et al., "Adaptive Keypose Extraction from Motion Capture Data", 2014, §3.2.
+
+use super::candidates::{minima, minima_by};
+use super::correspondence::partners;
+use super::intensity::{TraceEntry, Traces, traces};
+use super::options::{Options, OptionsError};
+use super::scales::{Levels, usable_scales_hz};
+use super::significance::{Selection, select};
+use super::sureness::{Sureness, sureness};
+
+/// Keyposes, and every series on the way to them. Frames are indices into the speed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Extraction {
+    /// The time scales in Hz, from fine to coarse, up to the first without survivors, that one
+    /// included.
+    pub scales_hz: Vec<f64>,
+    /// How many of the finest scales were left out because they are not below half the rate.
+    pub scales_left_out: usize,
+    /// Frames of the candidates, ascending.
+    pub candidates: Vec<usize>,
+    /// Each candidate through the time scales.
+    pub traces: Traces,
+    /// U of each candidate, in body heights per second.
+    pub intensity: Vec<f64>,
+    /// Which candidates are keyposes, and why.
+    pub selection: Selection,
+    /// Where the cut lies and how sure it is.
+    pub sureness: Sureness,
+}
+
+impl Extraction {
+    /// Frames of the keyposes, ascending.
+    pub fn keyposes(&self) -> Vec<usize> {
+        self.selection
+            .kept
+            .iter()
+            .map(|&index| self.candidates[index])
+            .collect()
+    }
+
+    /// Candidate indices from the most to the least intense, of equals the earlier first.
+    pub fn by_intensity(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.candidates.len()).collect();
+        let intensity = |index: usize| self.intensity[index];
+        order.sort_by(|&a, &b| intensity(b).total_cmp(&intensity(a)).then(a.cmp(&b)));
+        order
+    }
+}
+
+/// Extracts the keyposes of a motion from its `speed` (see [`crate::speed`]).
+///
+/// # Errors
+/// An option with a value that it cannot have.
+pub fn extract(
+    speed: &[f64],
+    frame_rate_hz: f64,
+    options: &Options,
+) -> Result<Extraction, OptionsError> {
+    let mut extractor = Extractor::new(speed.to_vec(), frame_rate_hz, options)?;
+    while !extractor.advance(usize::MAX) {}
+    Ok(extractor.finish())
+}
+
+/// A minimum that has survived up to a time scale.
+#[derive(Clone, Copy, Debug)]
+struct Survivor {
+    candidate: usize,
+    frame: usize,
+}
+
+/// An extraction cut into steps.
+#[derive(Clone, Debug)]
+pub struct Extractor {
+    speed: Vec<f64>,
+    frame_rate_hz: f64,
+    options: Options,
+    /// The least depth of a minimum, at every scale.
+    floor: f64,
+    scales_hz: Vec<f64>,
+    scales_left_out: usize,
+    candidates: Vec<usize>,
+    survivors: Vec<Survivor>,
+    /// The scales from here on are still to do.
+    next_scale: usize,
+    levels: Levels,
+    /// The next of `levels` to be matched; none while they are being filtered.
+    next_level: Option<usize>,
+    entries: Vec<TraceEntry>,
+}
+
+impl Extractor {
+    /// Finds the candidates, and makes ready for the rest.
+    ///
+    /// # Errors
+    /// An option with a value that it cannot have.
+    pub fn new(
+        speed: Vec<f64>,
+        frame_rate_hz: f64,
+        options: &Options,
+    ) -> Result<Self, OptionsError> {
+        options.validate()?;
+        let scales_hz = usable_scales_hz(options, frame_rate_hz);
+        let floor = options.depth_floor * speed.iter().copied().fold(0.0, f64::max);
+        let candidates = minima(&speed, floor);
+        let survivor = |(candidate, &frame)| Survivor { candidate, frame };
+        let mut extractor = Self {
+            frame_rate_hz,
+            options: *options,
+            floor,
+            scales_left_out: options.scales_hz().len() - scales_hz.len(),
+            scales_hz,
+            survivors: candidates.iter().enumerate().map(survivor).collect(),
+            candidates,
+            next_scale: 0,
+            levels: Levels::default(),
+            next_level: None,
+            entries: Vec::new(),
+            speed,
+        };
+        extractor.start_levels();
+        Ok(extractor)
+    }
+
+    /// Works for about `budget` rows of eight filters, or matches one scale. True when done.
+    pub fn advance(&mut self, budget: usize) -> bool {
+        if self.is_done() {
+            return true;
+        }
+        match self.next_level {
+            None if self.levels.advance(&self.speed, budget) => self.next_level = Some(0),
+            None => {}
+            Some(level) => {
+                self.match_level(level);
+                self.next_scale += 1;
+                self.next_level = Some(level + 1);
+                if level + 1 == self.levels.count() {
+                    self.next_level = None;
+                    self.start_levels();
+                }
+            }
+        }
+        self.is_done()
+    }
+
+    /// The part done, from 0 to 1.
+    pub fn progress(&self) -> f64 {
+        match self.is_done() {
+            true => 1.0,
+            false => self.next_scale as f64 / self.scales_hz.len() as f64,
+        }
+    }
+
+    /// The extraction, once [`Extractor::advance`] has said true.
+    pub fn finish(mut self) -> Extraction {
+        let traces = traces(self.candidates.len(), &self.entries);
+        let intensity = traces.intensity();
+        let selection = select(&intensity, &self.options);
+        self.scales_hz.truncate(self.next_scale);
+        Extraction {
+            scales_hz: self.scales_hz,
+            scales_left_out: self.scales_left_out,
+            candidates: self.candidates,
+            traces,
+            sureness: sureness(&intensity, &selection.kept),
+            selection,
+            intensity,
+        }
+    }
+
+    fn is_done(&self) -> bool {
+        self.survivors.is_empty() || self.next_scale == self.scales_hz.len()
+    }
+
+    fn start_levels(&mut self) {
+        if !self.is_done() {
+            let scales_hz = &self.scales_hz[self.next_scale..];
+            self.levels
+                .start(scales_hz, self.frame_rate_hz, self.speed.len());
+        }
+    }
+
+    /// Matches the minima of one level with the survivors, and notes what they gather.
+    fn match_level(&mut self, level: usize) {
+        let levels = &self.levels;
+        let minima = minima_by(self.speed.len(), |n| levels.slow(level, n), self.floor);
+        self.survivors = matched(&self.survivors, &minima);
+        for &Survivor { candidate, frame } in &self.survivors {
+            let contribution = (levels.slow(level, frame) - levels.slower(level, frame)).abs();
+            self.entries.push(TraceEntry {
+                candidate,
+                frame,
+                contribution,
+            });
+        }
+    }
+}
+
+/// The survivors that have a partner among `minima`, moved to it.
+fn matched(survivors: &[Survivor], minima: &[usize]) -> Vec<Survivor> {
+    let frames: Vec<usize> = survivors.iter().map(|survivor| survivor.frame).collect();
+    let moved = |(index, frame): (usize, usize)| Survivor {
+        candidate: survivors[index].candidate,
+        frame,
+    };
+    if minima.len() <= survivors.len() {
+        let partners = partners(minima, &frames);
+        partners
+            .into_iter()
+            .zip(minima.iter().copied())
+            .map(moved)
+            .collect()
+    } else {
+        let partners = partners(&frames, minima);
+        partners
+            .into_iter()
+            .map(|partner| minima[partner])
+            .enumerate()
+            .map(moved)
+            .collect()
+    }
+}
