@@ -3,17 +3,13 @@
 use crate::note::Note;
 use crate::skeleton::Skeleton;
 
-/// One performer of a clip and where its values lie in the rows.
+/// One performer of a clip and where its values lie in a row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Performer {
     /// The performer's joints.
     pub skeleton: Skeleton,
     /// The column of the performer's first channel in a row.
     pub first_column: usize,
-    /// The row of the performer's frame 0.
-    pub first_row: usize,
-    /// Rows from one frame to the next: 1, or the number of performers where rows alternate.
-    pub row_step: usize,
 }
 
 /// A motion as read from one file.
@@ -21,9 +17,10 @@ pub struct Performer {
 pub struct Clip {
     /// One for each ROOT, in the order of the file; at least one.
     pub performers: Vec<Performer>,
-    /// Rows × `row_width` values as in the file: positions in file units, rotations in degrees.
+    /// Frames × `row_width` values as in the file: positions in file units, rotations in
+    /// degrees; finite.
     pub values: Vec<f64>,
-    /// Values in a row of the file.
+    /// Values of all performers in one frame.
     pub row_width: usize,
     /// Frames of every performer.
     pub frames: usize,
@@ -42,8 +39,7 @@ impl Clip {
     /// The values of one performer at one frame (both from 0), in the order of its channels.
     pub fn frame_values(&self, performer: usize, frame: usize) -> &[f64] {
         let owner = &self.performers[performer];
-        let row = owner.first_row + frame * owner.row_step;
-        let start = row * self.row_width + owner.first_column;
+        let start = frame * self.row_width + owner.first_column;
         &self.values[start..start + owner.skeleton.channel_count()]
     }
 }

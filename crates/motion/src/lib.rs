@@ -17,10 +17,12 @@
 //! The crate knows no browser, no file and no clock; every number is an `f64`, and the same
 //! input gives the same bits on every platform.
 
+pub mod bvh;
 pub mod clip;
 pub mod feature;
 pub mod hodrick_prescott;
 pub mod keypose;
+pub mod kinematics;
 pub mod note;
 pub mod skeleton;
 pub mod speed;

@@ -51,41 +51,54 @@ impl Note {
     }
 }
 
-/// Puts `details` in the places `{0}`, `{1}` … of `template`.
+/// Puts `details` in the places `{0}`, `{1}` … of `template`; what a detail holds stays as it is.
 pub fn fill(template: &str, details: &[String]) -> String {
-    let mut text = template.to_owned();
-    for (index, detail) in details.iter().enumerate() {
-        text = text.replace(&format!("{{{index}}}"), detail);
+    let mut text = String::with_capacity(template.len());
+    let mut rest = template;
+    while let Some((before, after)) = rest.split_once('{') {
+        text.push_str(before);
+        let (name, behind) = after.split_once('}').unwrap_or((after, ""));
+        let detail = name
+            .parse()
+            .ok()
+            .and_then(|index: usize| details.get(index));
+        text.push_str(detail.map_or("", String::as_str));
+        rest = behind;
     }
+    text.push_str(rest);
     text
 }
 
-macro_rules! note_kinds {
-    ($($variant:ident $name:literal $template:literal;)*) => {
-        /// What a note is about.
+/// Makes an enum of kinds, each with a name for machines and a sentence for people.
+macro_rules! sentence_kinds {
+    ($(#[$about:meta])* $kind:ident: $($variant:ident $name:literal $template:literal;)*) => {
+        $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-        pub enum NoteKind {
+        pub enum $kind {
             $(#[doc = $template] $variant,)*
         }
 
-        impl NoteKind {
+        impl $kind {
             /// Every kind.
-            pub const ALL: &'static [NoteKind] = &[$(NoteKind::$variant,)*];
+            pub const ALL: &'static [$kind] = &[$($kind::$variant,)*];
 
             /// The kind's name in machine-readable output; it never changes.
             pub fn name(self) -> &'static str {
-                match self { $(NoteKind::$variant => $name,)* }
+                match self { $($kind::$variant => $name,)* }
             }
 
             /// The kind's English sentence with `{0}`, `{1}` … for the details.
             pub fn template(self) -> &'static str {
-                match self { $(NoteKind::$variant => $template,)* }
+                match self { $($kind::$variant => $template,)* }
             }
         }
     };
 }
+pub(crate) use sentence_kinds;
 
-note_kinds! {
+sentence_kinds! {
+    /// What a note is about.
+    NoteKind:
     Encoding "encoding" "The text is {0}, not UTF-8; names were decoded from it.";
     UnnamedJoint "unnamed-joint" "A joint has no name; it is called {0}.";
     RelativePositions "relative-positions" "The positions of {0} are tiny against its OFFSET; they were added to it instead of replacing it.";
@@ -109,9 +122,11 @@ note_kinds! {
     DecimalComma "decimal-comma" "Numbers are written with a decimal comma; it was read as a point.";
     ChannelCount "channel-count" "CHANNELS of {0} says {1}, {2} names follow; the names were counted.";
     MissingEndSite "missing-end-site" "{0} has no End Site.";
+    MissingOffset "missing-offset" "{0} has no OFFSET; zero was assumed.";
+    OffsetNotANumber "offset-not-a-number" "The OFFSET of {0} holds “{1}”, which is no number; zero was assumed for it.";
     MissingBrace "missing-brace" "A closing brace is missing; the hierarchy was closed at {0}.";
     MissingHierarchy "missing-hierarchy" "The keyword HIERARCHY is missing; the file was read from its first ROOT.";
-    UnknownLine "unknown-line" "A line in the hierarchy was not understood and ignored: {0}";
+    UnknownLine "unknown-line" "A line was not understood and ignored: {0}";
     NoMotion "no-motion" "The file has no motion; only the skeleton is shown.";
     TooShort "too-short" "{0} frames are too few to find keyposes.";
     NotHuman "not-human" "This is not a human body ({0}); all joints are analysed in root coordinates, and it is not compared with human motions.";

@@ -25,6 +25,8 @@ impl Axis {
 pub enum Channel {
     /// Replaces one component of the joint's offset, in file units.
     Position(Axis),
+    /// Is added to one component of the joint's offset, in file units.
+    AddedPosition(Axis),
     /// A rotation about one axis of the joint, in degrees.
     Rotation(Axis),
     /// Anything else (`Xscale` …): one value, skipped.
@@ -55,7 +57,7 @@ impl Joint {
     pub fn has_position_channels(&self) -> bool {
         self.channels
             .iter()
-            .any(|channel| matches!(channel, Channel::Position(_)))
+            .any(|channel| matches!(channel, Channel::Position(_) | Channel::AddedPosition(_)))
     }
 }
 
