@@ -24,9 +24,14 @@ pub fn collect(paths: &[PathBuf]) -> Result<Vec<InputFile>> {
         if path.is_dir() {
             list_folder(path, &mut files)?;
         } else {
-            let metadata = path.metadata().with_context(|| format!("{}", path.display()))?;
+            let metadata = path
+                .metadata()
+                .with_context(|| format!("{}", path.display()))?;
             debug_assert!(!metadata.is_dir());
-            files.push(InputFile { path: path.clone(), label: file_name(path) });
+            files.push(InputFile {
+                path: path.clone(),
+                label: file_name(path),
+            });
         }
     }
     Ok(files)
@@ -38,17 +43,24 @@ fn list_folder(folder: &Path, files: &mut Vec<InputFile>) -> Result<()> {
         if entry.file_type().is_file() && is_motion(entry.path()) {
             let below = entry.path().strip_prefix(folder).unwrap_or(entry.path());
             let label = below.to_string_lossy().replace('\\', "/");
-            files.push(InputFile { path: entry.into_path(), label });
+            files.push(InputFile {
+                path: entry.into_path(),
+                label,
+            });
         }
     }
     Ok(())
 }
 
 fn is_motion(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("bvh"))
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("bvh"))
 }
 
 /// The last part of a path, as text.
 pub fn file_name(path: &Path) -> String {
-    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+    path.file_name()
+        .unwrap_or(path.as_os_str())
+        .to_string_lossy()
+        .into_owned()
 }

@@ -17,14 +17,22 @@ pub fn for_each<I: Sync, R: Send>(
     work: impl Fn(&I) -> R + Sync,
     mut emit: impl FnMut(R) -> Result<()>,
 ) -> Result<()> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build()?;
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads)
+        .build()?;
     let (sender, receiver) = mpsc::channel();
     std::thread::scope(|scope| {
         scope.spawn(|| {
             pool.install(|| {
                 // A closed channel means that emitting failed: the rest is of no use.
                 let send = |(index, item)| sender.send((index, work(item))).ok();
-                items.par_iter().with_max_len(1).enumerate().map(send).while_some().for_each(drop);
+                items
+                    .par_iter()
+                    .with_max_len(1)
+                    .enumerate()
+                    .map(send)
+                    .while_some()
+                    .for_each(drop);
             });
             drop(sender);
         });
