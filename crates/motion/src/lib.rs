@@ -17,16 +17,21 @@
 //! The crate knows no browser, no file and no clock; every number is an `f64`, and the same
 //! input gives the same bits on every platform.
 
+pub mod body;
 pub mod bvh;
 pub mod clip;
+pub mod discontinuity;
 pub mod feature;
+pub mod figure;
 pub mod hodrick_prescott;
 pub mod keypose;
 pub mod kinematics;
 pub mod note;
+pub mod rest;
 pub mod skeleton;
 pub mod speed;
 pub mod track;
+pub mod world;
 
 #[cfg(test)]
 mod test_random;

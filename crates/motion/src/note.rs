@@ -134,6 +134,7 @@ sentence_kinds! {
     EndEffectorFallback "end-effector-fallback" "{0} has no usable end; {1} stands for it.";
     EndSitesUnequal "end-sites-unequal" "The End Sites of left and right differ too much; none of this file's End Sites was used.";
     ShiftedArmNames "shifted-arm-names" "The names of the arms are shifted by one joint; the shape was followed instead.";
+    ShiftedLegNames "shifted-leg-names" "The names of the legs are shifted by one joint; the shape was followed instead.";
     HipsTogether "hips-together" "The hips lie together in the OFFSETs; their mean places in the motion were used.";
     RestIsNoBody "rest-is-no-body" "The OFFSETs are no standing body; the trunk's length was taken from the motion.";
     NoLeftAndRight "no-left-and-right" "There is no left and right in the hips; root coordinates were used.";

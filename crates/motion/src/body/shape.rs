@@ -1,0 +1,215 @@
+//! Arms and legs by their shape, where names fail: pairs of mirror-image chains that leave the
+//! trunk, and on each the three joints whose bones have a person's proportions.
+
+use super::limbs::Limb;
+use super::tree::Tree;
+
+/// A chain shorter than this share of the skeleton's size is no limb.
+const LIMB_LENGTH: f64 = 0.25;
+
+/// Mirror images differ by less than this share of their length, bone by bone.
+const MIRROR: f64 = 0.15;
+
+/// An End Site longer than this share of the skeleton's size is garbage.
+const END_SITE_LENGTH: f64 = 0.3;
+
+/// Chains compared at one joint: the longest ones.
+const COMPARED: usize = 32;
+
+/// Joints looked at on a chain; no limb has more before its tip.
+const LONGEST_CHAIN: usize = 40;
+
+/// Proportions of a limb, in lengths of its two long bones together.
+#[derive(Clone, Copy, Debug)]
+pub struct Proportions {
+    /// From the trunk to the limb's first joint.
+    before: f64,
+    /// The upper bone against the lower one.
+    upper_per_lower: f64,
+    /// From the limb's last joint to its tip.
+    after: f64,
+}
+
+/// A leg: hips .057 to .1 H, thigh .263 H, shin .257 H, foot .11 H.
+pub const LEG: Proportions = Proportions {
+    before: 0.13,
+    upper_per_lower: 1.02,
+    after: 0.21,
+};
+
+/// An arm: clavicle .11 H, upper arm .169 H, forearm .151 H, hand .08 to .12 H.
+pub const ARM: Proportions = Proportions {
+    before: 0.35,
+    upper_per_lower: 1.12,
+    after: 0.35,
+};
+
+/// Two mirror-image chains.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pair {
+    /// The joint that both leave.
+    pub branch: usize,
+    /// The joints of each from the trunk outwards, along its longest way.
+    pub chains: [Vec<usize>; 2],
+    /// The longer one's length from the branch to its tip.
+    pub length: f64,
+}
+
+/// All pairs of mirror-image chains that are not inside one another, the longest first.
+pub fn pairs(tree: &Tree) -> Vec<Pair> {
+    let reach = reaches(tree);
+    let mut taken = vec![false; tree.len()];
+    let mut found = Vec::new();
+    for branch in 0..tree.len() {
+        if let Some(parent) = tree.parent(branch) {
+            taken[branch] |= taken[parent];
+        }
+        if taken[branch] {
+            continue;
+        }
+        for pair in pairs_at(tree, &reach, branch) {
+            for chain in &pair.chains {
+                taken[chain[0]] = true;
+            }
+            found.push(pair);
+        }
+    }
+    found.sort_by(|one, other| other.length.total_cmp(&one.length));
+    found
+}
+
+/// For each joint the length of its longest way outwards, End Sites included.
+fn reaches(tree: &Tree) -> Vec<f64> {
+    let longest = END_SITE_LENGTH * tree.rest.size;
+    let mut reach = vec![0.0_f64; tree.len()];
+    for joint in (1..tree.len()).rev() {
+        let own = tree.offset_length(joint);
+        let is_garbage = tree.is_end_site(joint) && own > longest;
+        if let Some(parent) = tree.parent(joint).filter(|_| !is_garbage) {
+            reach[parent] = reach[parent].max(own + reach[joint]);
+        }
+    }
+    reach
+}
+
+/// The joints from `start` outwards along the longest way.
+fn chain(tree: &Tree, reach: &[f64], start: usize) -> Vec<usize> {
+    let mut joints = vec![start];
+    let mut at = start;
+    let way = |joint: usize| tree.offset_length(joint) + reach[joint];
+    while let Some(next) = tree
+        .joints_below(at)
+        .reduce(|best, joint| if way(joint) > way(best) { joint } else { best })
+    {
+        joints.push(next);
+        at = next;
+        if joints.len() == LONGEST_CHAIN {
+            break;
+        }
+    }
+    joints
+}
+
+fn pairs_at(tree: &Tree, reach: &[f64], branch: usize) -> Vec<Pair> {
+    let length = |joint: usize| tree.offset_length(joint) + reach[joint];
+    let mut starts: Vec<usize> = tree
+        .joints_below(branch)
+        .filter(|joint| length(*joint) >= LIMB_LENGTH * tree.rest.size)
+        .collect();
+    starts.sort_by(|one, other| length(*other).total_cmp(&length(*one)));
+    starts.truncate(COMPARED);
+    if starts.len() < 2 {
+        return Vec::new();
+    }
+    starts.sort_unstable();
+    let chains: Vec<_> = starts
+        .iter()
+        .map(|start| chain(tree, reach, *start))
+        .collect();
+    let mut candidates = Vec::new();
+    for (index, one) in chains.iter().enumerate() {
+        for other in &chains[index + 1..] {
+            let longer = length(one[0]).max(length(other[0]));
+            let difference = difference(tree, one, other) / longer;
+            if one.len() > 2 && one.len() == other.len() && difference < MIRROR {
+                candidates.push((difference, one, other, longer));
+            }
+        }
+    }
+    candidates.sort_by(|one, other| one.0.total_cmp(&other.0));
+    let mut found: Vec<Pair> = Vec::new();
+    for (_, one, other, length) in candidates {
+        let is_used = |start: usize| {
+            found
+                .iter()
+                .any(|pair| pair.chains.iter().any(|c| c[0] == start))
+        };
+        if !is_used(one[0]) && !is_used(other[0]) {
+            found.push(Pair {
+                branch,
+                chains: [one.clone(), other.clone()],
+                length,
+            });
+        }
+    }
+    found
+}
+
+/// The sum of the differences of the bones of two chains.
+fn difference(tree: &Tree, one: &[usize], other: &[usize]) -> f64 {
+    let bones = one.iter().zip(other);
+    bones
+        .map(|(one, other)| (tree.offset_length(*one) - tree.offset_length(*other)).abs())
+        .sum()
+}
+
+/// The three joints of a chain that come nearest to `proportions`.
+pub fn limb(tree: &Tree, branch: usize, chain: &[usize], proportions: Proportions) -> Option<Limb> {
+    let reach = reaches(tree);
+    let lengths: Vec<f64> = chain
+        .iter()
+        .map(|joint| tree.path_length(branch, *joint))
+        .collect();
+    let last = *chain.last()?;
+    let whole = tree.path_length(branch, last) + reach[last];
+    let mut best: Option<(f64, Limb)> = None;
+    for first in 0..chain.len() {
+        for middle in first + 1..chain.len() {
+            for end in middle + 1..chain.len() {
+                let (upper, lower) = (
+                    lengths[middle] - lengths[first],
+                    lengths[end] - lengths[middle],
+                );
+                if upper <= 0.0 || lower <= 0.0 {
+                    continue;
+                }
+                let bones = upper + lower;
+                let before = lengths[first] / bones - proportions.before;
+                let after = (whole - lengths[end]) / bones - proportions.after;
+                let ratio = libm::log(upper / lower / proportions.upper_per_lower);
+                let cost = before * before + after * after + ratio * ratio;
+                if best.is_none_or(|(least, _)| cost < least) {
+                    best = Some((cost, [chain[first], chain[middle], chain[end]]));
+                }
+            }
+        }
+    }
+    best.map(|(_, limb)| limb)
+}
+
+/// The legs and the arms among `pairs`: the two longest; the legs' branch stands above the arms',
+/// or is the one from which nothing else leaves.
+pub fn legs_and_arms<'a>(tree: &Tree, pairs: &'a [Pair]) -> Option<(&'a Pair, &'a Pair)> {
+    let [one, other, ..] = pairs else {
+        return None;
+    };
+    let is_legs = match (
+        one.branch != other.branch && tree.contains(one.branch, other.branch),
+        one.branch != other.branch && tree.contains(other.branch, one.branch),
+    ) {
+        (true, _) => true,
+        (_, true) => false,
+        _ => tree.joints_below(one.branch).count() <= tree.joints_below(other.branch).count(),
+    };
+    Some(if is_legs { (one, other) } else { (other, one) })
+}

@@ -1,0 +1,90 @@
+//! Head, neck and pelvis, once arms and legs are known.
+
+use super::limbs::Limb;
+use super::names::Part;
+use super::reading::Reading;
+use super::tree::Tree;
+
+/// The joint of the head: the head word nearest to the root, above the arms' branch before
+/// anywhere else; without one the top of the longest chain without side from that branch.
+pub fn head(tree: &Tree, readings: &[Reading], legs: [Limb; 2], arms: [Limb; 2]) -> Option<usize> {
+    let branch = tree.common(arms[0][0], arms[1][0]);
+    let limbs = [legs[0], legs[1], arms[0], arms[1]];
+    let fits = |joint: &usize| {
+        let reading = &readings[*joint];
+        reading.side.is_none()
+            && reading.is_inner()
+            && reading.strength(Part::Head) > 0
+            && !limbs.iter().any(|limb| meets(tree, *joint, *limb))
+    };
+    let named = (0..tree.len()).filter(fits);
+    let best =
+        named.min_by_key(|joint| (!tree.contains(branch, *joint), tree.depth(*joint), *joint));
+    best.or_else(|| top(tree, readings, branch, arms))
+}
+
+/// Whether a joint stands above or on a limb.
+fn meets(tree: &Tree, joint: usize, limb: Limb) -> bool {
+    tree.contains(joint, limb[2]) || tree.contains(limb[0], joint)
+}
+
+/// The last joint of the longest chain without side that leaves `branch` beside the arms.
+fn top(tree: &Tree, readings: &[Reading], branch: usize, arms: [Limb; 2]) -> Option<usize> {
+    let is_free = |joint: &usize| {
+        readings[*joint].side.is_none()
+            && !readings[*joint].is_helper
+            && !arms.iter().any(|limb| meets(tree, *joint, *limb))
+    };
+    let mut best: Option<(f64, usize)> = None;
+    let mut open: Vec<usize> = tree.joints_below(branch).filter(is_free).collect();
+    while let Some(joint) = open.pop() {
+        let way = tree.path_length(branch, joint);
+        if best.is_none_or(|(length, _)| way > length) {
+            best = Some((way, joint));
+        }
+        open.extend(tree.joints_below(joint).filter(is_free));
+    }
+    best.map(|(_, joint)| joint)
+}
+
+/// The pelvis: the lowest joint that carries both hips and the head.
+pub fn pelvis(tree: &Tree, hips: [usize; 2], head: usize) -> usize {
+    let common = tree.common(tree.common(hips[0], hips[1]), head);
+    // A hip or the head is no pelvis: one chain all of whose joints stand on each other.
+    let is_limb = hips.contains(&common) || common == head;
+    match tree.parent(common) {
+        Some(parent) if is_limb => parent,
+        _ => common,
+    }
+}
+
+/// The first neck joint with an offset on the way from the pelvis to the head; without a neck
+/// word the first joint with an offset above the arms' branch, or that branch itself where the
+/// head follows it at once.
+pub fn neck(
+    tree: &Tree,
+    readings: &[Reading],
+    pelvis: usize,
+    head: usize,
+    shoulders: [usize; 2],
+) -> usize {
+    let path = tree.path(pelvis, head);
+    let has_offset = |joint: &&usize| !tree.rest.is_zero(**joint);
+    let named = |least: u8| {
+        let mut all = path.iter().filter(has_offset);
+        all.find(|joint| {
+            readings[**joint].is_inner() && readings[**joint].strength(Part::Neck) >= least
+        })
+    };
+    if let Some(neck) = named(2).or_else(|| named(1)) {
+        return *neck;
+    }
+    let branch = tree.common(shoulders[0], shoulders[1]);
+    let above = tree.path(branch, head);
+    let inner = above.iter().filter(|joint| **joint != head);
+    match inner.copied().find(|joint| !tree.rest.is_zero(*joint)) {
+        Some(neck) => neck,
+        None if branch != pelvis && tree.contains(pelvis, branch) => branch,
+        None => head,
+    }
+}
