@@ -115,9 +115,11 @@ impl Ends<'_> {
         let mut open = vec![above];
         while let Some(joint) = open.pop() {
             let before = open.len();
-            open.extend(self.tree.joints_below(joint).filter(|child| {
-                !is_out(*child) && !(self.readings[*child].is_helper && self.is_leaf(*child))
-            }));
+            open.extend(
+                self.tree
+                    .joints_below(joint)
+                    .filter(|child| !is_out(*child) && !self.is_bare_helper(*child)),
+            );
             if open.len() == before {
                 leaves.push(joint);
             }
@@ -125,8 +127,9 @@ impl Ends<'_> {
         leaves
     }
 
-    fn is_leaf(&self, joint: usize) -> bool {
-        self.tree.joints_below(joint).next().is_none()
+    /// Whether a joint is a helper with nothing below it.
+    fn is_bare_helper(&self, joint: usize) -> bool {
+        self.readings[joint].is_helper && self.tree.joints_below(joint).next().is_none()
     }
 
     /// Of the `leaves` below `above`, or their End Sites, the one of the highest rank, then of the

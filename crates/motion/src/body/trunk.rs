@@ -59,8 +59,8 @@ pub fn pelvis(tree: &Tree, hips: [usize; 2], head: usize) -> usize {
 }
 
 /// The first neck joint with an offset on the way from the pelvis to the head; without a neck
-/// word the first joint with an offset above the arms' branch, or that branch itself where the
-/// head follows it at once.
+/// word the first joint with an offset above the arms' branch. Where the head follows that branch
+/// at once, the head's joint if it has a tip above it, else the branch.
 pub fn neck(
     tree: &Tree,
     readings: &[Reading],
@@ -82,9 +82,13 @@ pub fn neck(
     let branch = tree.common(shoulders[0], shoulders[1]);
     let above = tree.path(branch, head);
     let inner = above.iter().filter(|joint| **joint != head);
+    let has_tip = tree
+        .children(head)
+        .iter()
+        .any(|child| !tree.rest.is_zero(*child));
     match inner.copied().find(|joint| !tree.rest.is_zero(*joint)) {
         Some(neck) => neck,
-        None if branch != pelvis && tree.contains(pelvis, branch) => branch,
+        None if !has_tip && branch != pelvis && tree.contains(pelvis, branch) => branch,
         None => head,
     }
 }

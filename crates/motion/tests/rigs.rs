@@ -1,0 +1,165 @@
+//! Real rigs: which joints are the body, its height, the frames left out and the up axis, against
+//! answers given by hand. Also the leading rest frames of every file of the test data.
+
+mod support;
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use motion::body::{self, Role, TableBuilder};
+use motion::clip::Clip;
+use motion::rest::{self, Analysed};
+use motion::world;
+use serde_json::Value;
+
+struct Found {
+    clip: Clip,
+    body: body::Body,
+    up: Option<&'static str>,
+    analysed: Analysed,
+}
+
+fn analyse(path: &Path, overrides: &[(Role, usize)]) -> Found {
+    let bytes = fs::read(path).expect("a readable file");
+    let clip = motion::bvh::parse(&bytes).expect("a motion");
+    let body = body::find(&clip, 0, overrides);
+    let mut builder = TableBuilder::new(&clip, 0, &body);
+    while !builder.step(100) {}
+    let table = builder.finish();
+    let up = world::up_axis(&table).map(world::Up::name);
+    let analysed = rest::analysed(&clip, 0, &body, table, None);
+    Found {
+        clip,
+        body,
+        up,
+        analysed,
+    }
+}
+
+fn rigs() -> Vec<(std::path::PathBuf, Value)> {
+    let Some(folder) = support::data_folder() else {
+        return Vec::new();
+    };
+    let text = fs::read_to_string(folder.join("rigs.golden.json")).expect("the answers");
+    let all: Vec<Value> = serde_json::from_str(&text).expect("JSON");
+    all.into_iter()
+        .map(|rig| {
+            let name = rig["file"].as_str().expect("a name").to_owned();
+            (folder.join("rigs").join(name), rig)
+        })
+        .collect()
+}
+
+/// Roles whose joint is neither the expected one nor one of the alternatives.
+fn wrong_joints(found: &Found, rig: &Value) -> Vec<String> {
+    let labels = found.clip.performers[0].skeleton.labels();
+    let mut wrong = Vec::new();
+    for role in Role::ALL {
+        let expected = rig["body"][role.name()].as_str().expect("a joint");
+        let alternatives = rig["alternatives"][role.name()].as_array();
+        let joint = found
+            .body
+            .joint(*role)
+            .map_or("none", |joint| labels[joint].as_str());
+        let is_alternative =
+            alternatives.is_some_and(|names| names.iter().any(|name| name.as_str() == Some(joint)));
+        if joint != expected && !is_alternative {
+            wrong.push(format!(
+                "{}: {} is {joint}, not {expected}",
+                rig["file"],
+                role.name()
+            ));
+        }
+    }
+    wrong
+}
+
+#[test]
+fn every_human_rig_is_mapped_without_a_hand() {
+    let mut wrong = Vec::new();
+    for (path, rig) in rigs() {
+        let found = analyse(&path, &[]);
+        if found.body.is_human() != (rig["kind"] == "human") {
+            wrong.push(format!(
+                "{}: {:?} is not {}",
+                rig["file"], found.body.kind, rig["kind"]
+            ));
+        } else if found.body.is_human() {
+            wrong.extend(wrong_joints(&found, &rig));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn height_rest_frames_and_up_axis_are_those_of_the_rigs() {
+    let mut wrong = Vec::new();
+    for (path, rig) in rigs() {
+        if rig["kind"] != "human" {
+            continue;
+        }
+        let found = analyse(&path, &[]);
+        let height = rig["body_height"].as_f64().expect("a height");
+        let ours = found.analysed.frame.height;
+        if (ours - height).abs() > 1e-8 * height {
+            wrong.push(format!("{}: height {ours}, not {height}", rig["file"]));
+        }
+        let leading = found.analysed.leading.frames;
+        if Some(leading as u64) != rig["leading_rest_frames"].as_u64() {
+            wrong.push(format!("{}: {leading} leading frames", rig["file"]));
+        }
+        if found.up != rig["up_in_motion"].as_str() {
+            wrong.push(format!("{}: up is {:?}", rig["file"], found.up));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn leading_rest_frames_of_every_file() {
+    let Some(folder) = support::data_folder() else {
+        return;
+    };
+    let table = fs::read_to_string(folder.join("rest_frames.tsv")).expect("the table");
+    let mut wrong = Vec::new();
+    for line in table.lines().skip(1) {
+        let (file, frames) = line.split_once('\t').expect("two columns");
+        let leading = analyse(&folder.join(file), &[]).analysed.leading;
+        if Ok(leading.frames) != frames.trim().parse() {
+            wrong.push(format!("{file}: {leading:?}, not {frames}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn pelvis_coordinates_and_height_of_the_golden_clips() {
+    let Some(folder) = support::data_folder() else {
+        return;
+    };
+    for (name, golden) in support::golden_clips() {
+        let found = analyse(&folder.join("cmu").join(format!("{name}.bvh")), &[]);
+        let height = golden["body_height"].as_f64().expect("a height");
+        assert!(
+            (found.analysed.frame.height - height).abs() <= 1e-9 * height,
+            "{name}"
+        );
+        let expected: BTreeMap<String, Vec<f64>> =
+            serde_json::from_value(golden["pelvis_coordinates"].clone()).expect("rows");
+        let largest = expected
+            .values()
+            .flatten()
+            .fold(0.0_f64, |most, value| most.max(value.abs()));
+        let track = body::track(&found.clip, 0, &found.body, &found.analysed.frame, 0);
+        for (frame, row) in expected {
+            let ours = track.frame(frame.parse().expect("a frame"));
+            for (ours, expected) in ours.iter().zip(&row) {
+                assert!(
+                    (ours - expected).abs() <= 1e-9 * largest,
+                    "{name} {frame}: {ours}, not {expected}"
+                );
+            }
+        }
+    }
+}
