@@ -9,7 +9,7 @@
 //!
 //! 1. up: eliminate `K y`;
 //! 2. down: substitute w, and eliminate, downward, the residual `K (y − Kᵀ w) − w/λ`;
-//! 3. up: substitute the correction δ of this one step of refinement, `x = y − Kᵀ (w + δ)`.
+//! 3. up: substitute the correction δ of this one step of refinement, `x = y − Kᵀ w − Kᵀ δ`.
 //!
 //! `L` lanes are solved side by side: columns that share λ, or one signal with several λ. A lane's
 //! bits do not depend on its neighbours.
@@ -17,7 +17,11 @@
 //! Source: R. J. Hodrick, E. C. Prescott, "Postwar U.S. Business Cycles", 1997; used on motion in
 //! Miura et al., "Adaptive Keypose Extraction from Motion Capture Data", 2014, eq. 1–4.
 
+mod factors;
+
 use std::f64::consts::PI;
+
+use factors::{FactorRow, Factors};
 
 /// λ of the filter whose gain is one half at `cutoff_hz`, at `rate_hz` samples a second:
 /// `1 / (16 sin⁴(π f_c / fs))`.
@@ -85,103 +89,12 @@ impl<const L: usize> Rows<L> for Repeated<'_> {
     }
 }
 
-/// `L` neighbouring columns of a row-major table; columns beyond its width are zero.
-#[derive(Clone, Copy, Debug)]
-pub struct Columns<'a> {
-    /// The table, row after row.
-    pub values: &'a [f64],
-    /// Columns of the table.
-    pub width: usize,
-    /// The column in the first lane.
-    pub first: usize,
-}
-
-impl<const L: usize> Rows<L> for Columns<'_> {
+/// Rows that lie ready.
+impl<const L: usize> Rows<L> for Vec<[f64; L]> {
     #[inline(always)]
     fn row(&self, n: usize) -> [f64; L] {
-        let start = n * self.width + self.first;
-        let mut row = [0.0; L];
-        if self.first + L <= self.width {
-            row.copy_from_slice(&self.values[start..start + L]);
-        } else {
-            let used = self.width - self.first;
-            row[..used].copy_from_slice(&self.values[start..start + used]);
-        }
-        row
+        self[n]
     }
-}
-
-/// One row of the factors of `K Kᵀ + I/λ = (lower · pivot) · lowerᵀ`, unit lower triangle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct FactorRow<const L: usize> {
-    /// One over the pivot; also the second subdiagonal of the unit triangle, whose outermost
-    /// entries are 1 before scaling.
-    inverse_pivot: [f64; L],
-    /// The first subdiagonal before scaling, left of this pivot.
-    beside: [f64; L],
-    /// The first subdiagonal of the unit triangle, below this pivot.
-    below: [f64; L],
-}
-
-/// Factors for `L` values of λ. The rows settle on a last value, from where they are not stored.
-#[derive(Clone, Debug)]
-struct Factors<const L: usize> {
-    head: Vec<FactorRow<L>>,
-    settled: FactorRow<L>,
-    inverse_lambda: [f64; L],
-}
-
-impl<const L: usize> Factors<L> {
-    fn new(unknowns: usize, lambda: [f64; L]) -> Self {
-        let inverse_lambda = lambda.map(|lambda| 1.0 / lambda);
-        let none = FactorRow {
-            inverse_pivot: [0.0; L],
-            beside: [0.0; L],
-            below: [0.0; L],
-        };
-        let (mut before, mut last) = (none, none);
-        let mut head = Vec::new();
-        for index in 0..unknowns {
-            let row = next_factor_row(index, &before, &last, &inverse_lambda);
-            if index > 3 && row == last && last == before {
-                break;
-            }
-            head.push(row);
-            (before, last) = (last, row);
-        }
-        Self {
-            head,
-            settled: last,
-            inverse_lambda,
-        }
-    }
-
-    #[inline(always)]
-    fn row(&self, index: usize) -> &FactorRow<L> {
-        self.head.get(index).unwrap_or(&self.settled)
-    }
-}
-
-/// Row `index` of the factors from the two rows before it (zero where there is none).
-fn next_factor_row<const L: usize>(
-    index: usize,
-    before: &FactorRow<L>,
-    last: &FactorRow<L>,
-    inverse_lambda: &[f64; L],
-) -> FactorRow<L> {
-    let mut row = *last;
-    for (lane, shift) in inverse_lambda.iter().enumerate() {
-        let beside = if index == 0 {
-            0.0
-        } else {
-            -4.0 - before.below[lane]
-        };
-        let pivot = (6.0 + shift) - last.below[lane] * beside - before.inverse_pivot[lane];
-        row.beside[lane] = beside;
-        row.inverse_pivot[lane] = 1.0 / pivot;
-        row.below[lane] = (-4.0 - last.below[lane]) / pivot;
-    }
-    row
 }
 
 /// The filter of `L` values of λ, one a lane, for signals of one length.
@@ -308,21 +221,23 @@ impl<const L: usize> LaneFilter<L> {
     }
 
     /// Pass 3, up: `dual` becomes the filtered signal.
+    ///
+    /// w is many times the signal at low cut-offs, so that the last places of w + δ would be
+    /// missed in x: `Kᵀ w`, exact but for the last place, and `Kᵀ δ` are taken apart.
     fn correct<R: Rows<L>>(&self, samples: &R, solution: &mut Solution<L>, end: usize) {
         let unknowns = solution.len() - 2;
         let [mut delta_1, mut delta_2, mut w_1, mut w_2, ..] = solution.carry;
         for k in solution.position..end {
-            let mut w_0 = [0.0; L];
+            let (mut w_0, mut delta_0) = ([0.0; L], [0.0; L]);
             if k < unknowns {
                 let factor = self.factors.row(unknowns - 1 - k);
-                let delta = substitute(factor, &solution.partial[k], &delta_1, &delta_2);
-                for lane in 0..L {
-                    w_0[lane] = solution.dual[k][lane] + delta[lane];
-                }
-                (delta_2, delta_1) = (delta_1, delta);
+                w_0 = solution.dual[k];
+                delta_0 = substitute(factor, &solution.partial[k], &delta_1, &delta_2);
             }
-            solution.dual[k] = primal(&samples.row(k), &w_0, &w_1, &w_2);
+            let nearly = primal(&samples.row(k), &w_0, &w_1, &w_2);
+            solution.dual[k] = primal(&nearly, &delta_0, &delta_1, &delta_2);
             (w_2, w_1) = (w_1, w_0);
+            (delta_2, delta_1) = (delta_1, delta_0);
         }
         solution.carry[..4].copy_from_slice(&[delta_1, delta_2, w_1, w_2]);
     }
