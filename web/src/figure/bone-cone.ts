@@ -42,7 +42,7 @@ export function jointDistance(joints: ArrayLike<number>, a: number, b: number): 
 }
 
 /**
- * Writes the cones of a pose into `out` from index `offset`, CONE_STRIDE numbers each, in the space
+ * Writes the cones of a pose into `out` from index `offset`, one every `stride` numbers, in the space
  * of `joints` (joints × 3); radii are multiplied by `radiusScale`. Returns the index after the last.
  */
 export function writeCones(
@@ -51,6 +51,7 @@ export function writeCones(
   radiusScale: number,
   out: { [index: number]: number },
   offset: number,
+  stride = CONE_STRIDE,
 ): number {
   let at = offset;
   for (let i = 0; i < bones.length; i++) {
@@ -61,7 +62,7 @@ export function writeCones(
     }
     out[at + 3] = bone.startRadius * radiusScale;
     out[at + 7] = bone.endRadius * radiusScale;
-    at += CONE_STRIDE;
+    at += stride;
   }
   return at;
 }

@@ -1,0 +1,244 @@
+/** In: a stage's properties and frames. Out: pictures on a canvas, one when something changed, else none. */
+import { WebGLRenderer } from 'three';
+import { CameraRig } from './camera-rig';
+import { readPalette } from './palette';
+import { Quality } from './quality';
+import type { StageMetrics, StageProps } from './stage-props';
+import { type StagePerformer, StageScene } from './stage-scene';
+import { presetView, type ViewPreset } from './view';
+
+const MOST_PIXEL_RATIO = 2;
+/** The time that a frame after a rest stands for. */
+const FIRST_STEP_MS = 16;
+const LONGEST_STEP_MS = 100;
+
+/** null where the browser has no WebGL2. */
+export function createDrawing(target: HTMLElement, props: StageProps): Drawing | null {
+  const canvas = document.createElement('canvas');
+  canvas.className = 'stage-canvas';
+  canvas.tabIndex = 0;
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: false, stencil: false });
+  if (context === null) return null;
+  target.append(canvas);
+  return new Drawing(target, canvas, new WebGLRenderer({ canvas, context }), props);
+}
+
+export class Drawing {
+  private readonly target: HTMLElement;
+  private readonly canvas: HTMLCanvasElement;
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new StageScene();
+  private readonly rig: CameraRig;
+  private readonly quality = new Quality();
+  private readonly observer: ResizeObserver;
+  private props: StageProps;
+  private preset: ViewPreset | null = null;
+  private ends: (() => void)[] = [];
+  private width = 0;
+  private height = 0;
+  private frame = 0;
+  private direction: -1 | 0 | 1 = 0;
+  private posesStale = true;
+  private unframed = true;
+  private lost = false;
+  private request = 0;
+  private requestedMs = 0;
+  private drawnMs = -Infinity;
+  private framesDrawn = 0;
+  private lastFrameMs = 0;
+  private readonly followed = { x: 0, z: 0 };
+
+  constructor(
+    target: HTMLElement,
+    canvas: HTMLCanvasElement,
+    renderer: WebGLRenderer,
+    props: StageProps,
+  ) {
+    this.target = target;
+    this.canvas = canvas;
+    this.renderer = renderer;
+    this.props = props;
+    this.rig = new CameraRig(canvas, { onMove: this.requestDraw, onTurn: this.onTurn });
+    canvas.addEventListener('mousedown', keepFocus);
+    canvas.addEventListener('webglcontextlost', this.onLost);
+    canvas.addEventListener('webglcontextrestored', this.onRestored);
+    this.setLabel(props);
+    this.scene.setPalette(readPalette(target, props.theme));
+    this.setPerformers(props.performers);
+    this.observer = new ResizeObserver(this.onResize);
+    this.observer.observe(target);
+  }
+
+  setProps(props: StageProps, before: StageProps): void {
+    this.props = props;
+    this.setLabel(props);
+    if (props.theme !== before.theme) this.scene.setPalette(readPalette(this.target, props.theme));
+    if (props.performers !== before.performers) {
+      this.unframed ||= !sameWorld(props.performers, before.performers);
+      this.setPerformers(props.performers);
+    }
+    if (props.follow && !before.follow)
+      this.rig.startFollowing(this.scene.centreX, this.scene.centreZ);
+    if (props.view !== null && props.view !== before.view) this.frameView(props.view);
+    this.requestDraw();
+  }
+
+  show(frame: number): void {
+    if (frame === this.frame && !this.posesStale) return;
+    this.direction = Math.sign(frame - this.frame) as -1 | 0 | 1;
+    this.frame = frame;
+    this.posesStale = true;
+    this.requestDraw();
+  }
+
+  frameView(preset: ViewPreset): void {
+    this.preset = preset;
+    const performer = this.props.performers[0] as StagePerformer | undefined;
+    if (performer === undefined || !this.scene.hasFigures) return;
+    const { centreX, centreZ } = this.scene;
+    const view = presetView(preset, performer, this.width / this.height, centreX, centreZ);
+    this.rig.place(view, !this.unframed && !this.props.reducedMotion);
+    this.unframed = false;
+  }
+
+  metrics(): StageMetrics {
+    const { calls, triangles } = this.renderer.info.render;
+    const { framesDrawn, lastFrameMs } = this;
+    return { drawCalls: calls, triangles, framesDrawn, lastFrameMs };
+  }
+
+  snapshot(): Promise<Blob> {
+    this.drawNow(performance.now());
+    return new Promise((resolve, reject) => {
+      this.canvas.toBlob((blob) => {
+        if (blob) resolve(blob);
+        else reject(new Error('The stage could not be saved as a picture'));
+      });
+    });
+  }
+
+  destroy(): void {
+    cancelAnimationFrame(this.request);
+    this.observer.disconnect();
+    for (const end of this.ends) end();
+    this.canvas.removeEventListener('webglcontextlost', this.onLost);
+    this.canvas.removeEventListener('webglcontextrestored', this.onRestored);
+    this.rig.dispose();
+    this.scene.dispose();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
+    this.canvas.remove();
+  }
+
+  private setLabel({ label }: StageProps): void {
+    this.canvas.setAttribute('role', 'img');
+    if (label !== undefined) this.canvas.setAttribute('aria-label', label);
+  }
+
+  private setPerformers(performers: readonly StagePerformer[]): void {
+    for (const end of this.ends) end();
+    this.ends = performers.map(({ source }) => source.onArrive(this.onArrive));
+    this.scene.setPerformers(performers);
+    this.posesStale = true;
+    this.requestDraw();
+  }
+
+  private readonly onArrive = (): void => {
+    if (this.posesStale) this.requestDraw();
+  };
+
+  private readonly onTurn = (): void => {
+    if (this.preset === null) return;
+    this.preset = null;
+    this.props = { ...this.props, view: null };
+    this.props.onViewChange?.(null);
+  };
+
+  private readonly onResize = (): void => {
+    this.width = this.target.clientWidth;
+    this.height = this.target.clientHeight;
+    if (this.width === 0 || this.height === 0) return;
+    this.setSize();
+    // The canvas is empty now: drawn in the same frame it does not flicker.
+    this.drawNow(performance.now());
+  };
+
+  private setSize(): void {
+    const ratio = this.quality.reduced ? 1 : Math.min(window.devicePixelRatio, MOST_PIXEL_RATIO);
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(this.width, this.height, false);
+    this.rig.setAspect(this.width / this.height);
+  }
+
+  private readonly onLost = (event: Event): void => {
+    event.preventDefault();
+    this.lost = true;
+    this.props.onFailure?.('context-lost');
+  };
+
+  private readonly onRestored = (): void => {
+    this.lost = false;
+    this.posesStale = true;
+    this.props.onRecovery?.();
+    this.requestDraw();
+  };
+
+  private readonly requestDraw = (): void => {
+    if (this.request !== 0) return;
+    this.requestedMs = performance.now();
+    this.request = requestAnimationFrame(this.drawRequested);
+  };
+
+  private readonly drawRequested = (nowMs: number): void => {
+    this.request = 0;
+    if (this.quality.frame(performance.now() - this.requestedMs)) this.setSize();
+    this.drawNow(nowMs);
+  };
+
+  private drawNow(nowMs: number): void {
+    if (this.lost || this.width === 0 || this.height === 0) return;
+    const startMs = performance.now();
+    if (this.posesStale) this.readPoses();
+    if (this.unframed) this.frameView(this.props.view ?? this.preset ?? 'side');
+    const moving = this.moveCamera(nowMs);
+    this.scene.setGridCentre(this.rig.targetX, this.rig.targetZ);
+    this.renderer.render(this.scene.scene, this.rig.camera);
+    this.framesDrawn++;
+    this.lastFrameMs = performance.now() - startMs;
+    if (moving) this.requestDraw();
+  }
+
+  private readPoses(): void {
+    for (const { source } of this.props.performers) source.prefetch(this.frame, this.direction);
+    this.posesStale = !this.scene.showFrame(this.frame);
+  }
+
+  /** true while the camera is still on its way. */
+  private moveCamera(nowMs: number): boolean {
+    const passedMs = nowMs - this.drawnMs;
+    const stepMs = passedMs > 0 && passedMs <= LONGEST_STEP_MS ? passedMs : FIRST_STEP_MS;
+    this.drawnMs = nowMs;
+    this.followed.x = this.scene.centreX;
+    this.followed.z = this.scene.centreZ;
+    const followed = this.props.follow && this.scene.hasFigures ? this.followed : null;
+    return this.rig.step(stepMs / 1000, !this.props.reducedMotion, followed);
+  }
+}
+
+/** A click turns the figure and leaves the keyboard where it was; Tab brings it here. */
+function keepFocus(event: MouseEvent): void {
+  event.preventDefault();
+}
+
+/** The same bodies in the same frame: the camera may stay where it is. */
+function sameWorld(now: readonly StagePerformer[], before: readonly StagePerformer[]): boolean {
+  return (
+    now.length === before.length &&
+    now.every(
+      (performer, i) =>
+        performer.source === before[i].source &&
+        performer.up.axis === before[i].up.axis &&
+        performer.body.height === before[i].body.height,
+    )
+  );
+}

@@ -1,0 +1,186 @@
+/**
+ * The stage's shaders (GLSL ES 3). In: the cone texture (cone-texture.ts), colours and lights. Out:
+ * matte figures that darken themselves and the ground, by formula, without a shadow map.
+ */
+
+/** Cones of a figure that a pixel looks at; further ones are drawn but darken nothing. */
+const MOST_OCCLUDERS = 200;
+
+/** Figures whose cones the ground looks at; the others get a soft spot each. */
+export const NEAR_FIGURES = 3;
+export const MOST_SPOTS = 24;
+
+const CONES = /* glsl */ `
+uniform highp sampler2D cones;
+vec4 coneStart(int i) { return texelFetch(cones, ivec2(0, i), 0); }
+vec4 coneEnd(int i) { return texelFetch(cones, ivec2(1, i), 0); }
+vec4 coneKind(int i) { return texelFetch(cones, ivec2(2, i), 0); }
+`;
+
+const OCCLUSION = /* glsl */ `
+uniform vec3 sunDirection;
+
+// Part of the sky over p (normal n) that a cone leaves open. A ball of radius r at distance l covers
+// cos(angle) r² / l² of the cosine-weighted sky; a cone covers more than its nearest ball: power 1.5.
+float openSky(vec3 p, vec3 n, vec4 start, vec4 end) {
+  vec3 axis = end.xyz - start.xyz;
+  float along = clamp(dot(p - start.xyz, axis) / max(dot(axis, axis), 1e-8), 0., 1.);
+  float radius = mix(start.w, end.w, along);
+  vec3 toward = start.xyz + along * axis - p;
+  float l = max(length(toward), radius * 1.02);
+  float open = 1. - max(dot(toward, n), 0.) * radius * radius / (l * l * l);
+  return open * sqrt(open);
+}
+
+// Part of the sun seen from p: how wide the ray to the sun passes by the cone, seen from p.
+float openSun(vec3 p, vec4 start, vec4 end, float sharpness) {
+  vec3 axis = end.xyz - start.xyz;
+  vec3 from = p - start.xyz;
+  float axisSun = dot(axis, sunDirection);
+  float fromSun = dot(from, sunDirection);
+  float bend = max(dot(axis, axis) - axisSun * axisSun, 1e-7);
+  float along = clamp((dot(from, axis) - fromSun * axisSun) / bend, 0., 1.);
+  float ray = max(along * axisSun - fromSun, 1e-5);
+  float gap = length(from + ray * sunDirection - along * axis) - .78 * mix(start.w, end.w, along);
+  return smoothstep(0., 1., clamp(sharpness * gap / ray + .5, 0., 1.));
+}
+`;
+
+/** position = (cos, sin, fraction of the end's arc), end = 0 or 1; one instance is one cone. */
+export const figureVertex = /* glsl */ `
+${CONES}
+uniform int firstCone;
+uniform vec3 sideColours[3];
+in float end;
+out vec3 worldPosition;
+out vec3 worldNormal;
+flat out vec3 colour;
+flat out float limb;
+
+void main() {
+  int cone = firstCone + gl_InstanceID;
+  vec4 a = coneStart(cone), b = coneEnd(cone), kind = coneKind(cone);
+  vec3 axis = b.xyz - a.xyz;
+  float len = length(axis);
+  vec3 w = len > 1e-6 ? axis / len : vec3(0., 1., 0.);
+  vec3 u = normalize(cross(w, abs(w.y) < .9 ? vec3(0., 1., 0.) : vec3(1., 0., 0.)));
+  // The cone touches both balls at the same angle from the axis' normal.
+  float touch = asin(clamp((a.w - b.w) / max(len, 1e-6), -1., 1.));
+  float latitude = end < .5 ? mix(-1.5707963, touch, position.z) : mix(touch, 1.5707963, position.z);
+  worldNormal = cos(latitude) * (position.x * u + position.y * cross(w, u)) + sin(latitude) * w;
+  worldPosition = (end < .5 ? a.xyz : b.xyz) + (end < .5 ? a.w : b.w) * worldNormal;
+  colour = sideColours[int(kind.y + .5)];
+  limb = kind.x;
+  gl_Position = projectionMatrix * viewMatrix * vec4(worldPosition, 1.);
+}
+`;
+
+export const figureFragment = /* glsl */ `
+${CONES}
+${OCCLUSION}
+uniform int firstCone;
+uniform int coneCount;
+uniform vec3 sky, ground, sun, rim;
+in vec3 worldPosition;
+in vec3 worldNormal;
+flat in vec3 colour;
+flat in float limb;
+out vec4 pixel;
+
+void main() {
+  vec3 n = normalize(worldNormal);
+  vec3 toEye = normalize(cameraPosition - worldPosition);
+  float open = 1., lit = 1.;
+  for (int i = 0; i < min(coneCount, ${MOST_OCCLUDERS}); i++) {
+    int cone = firstCone + i;
+    if (abs(coneKind(cone).x - limb) < .5) continue;
+    vec4 a = coneStart(cone), b = coneEnd(cone);
+    open *= mix(1., openSky(worldPosition, n, a, b), .62);
+    lit = min(lit, openSun(worldPosition + n * .014, a, b, 5.));
+  }
+  open *= mix(.62, 1., smoothstep(0., .2, worldPosition.y + n.y * .05));
+  float upward = n.y * .5 + .5;
+  float facing = dot(n, sunDirection);
+  float sunlight = mix(max(facing + .35, 0.) / 1.35 * .35, max(facing, 0.), .7) * mix(.35, 1., lit);
+  float edge = pow(1. - max(dot(n, toEye), 0.), 3.);
+  vec3 light = mix(ground, sky, upward) * open + sun * sunlight;
+  pixel = linearToOutputTexel(vec4(colour * light + rim * edge * (.4 + .6 * upward) * open, 1.));
+}
+`;
+
+export const groundVertex = /* glsl */ `
+out vec2 place;
+void main() {
+  vec4 world = modelMatrix * vec4(position, 1.);
+  place = world.xz;
+  gl_Position = projectionMatrix * viewMatrix * world;
+}
+`;
+
+export const groundFragment = /* glsl */ `
+${CONES}
+${OCCLUSION}
+uniform ivec2 figures[${NEAR_FIGURES}];
+uniform vec3 figureBounds[${NEAR_FIGURES}];
+uniform int figureCount;
+uniform vec3 spots[${MOST_SPOTS}];
+uniform int spotCount;
+uniform vec2 centre;
+uniform float cell, fade, gridStrength, shadowStrength;
+uniform vec3 gridColour, shadowColour;
+in vec2 place;
+out vec4 pixel;
+
+// Lines of a width in pixels; they fade where they would come closer than a few pixels.
+float lines(float size, float width) {
+  vec2 at = place / size;
+  vec2 pixelSize = fwidth(at);
+  vec2 off = abs(fract(at - .5) - .5) / pixelSize;
+  float line = 1. - min(min(off.x, off.y) / width, 1.);
+  return line * clamp(1. - max(pixelSize.x, pixelSize.y) * 1.6, 0., 1.);
+}
+
+void main() {
+  float open = 1., lit = 1.;
+  vec3 p = vec3(place.x, 0., place.y);
+  for (int f = 0; f < figureCount; f++) {
+    if (distance(place, figureBounds[f].xy) > figureBounds[f].z) continue;
+    int last = figures[f].x + min(figures[f].y, ${MOST_OCCLUDERS});
+    for (int cone = figures[f].x; cone < last; cone++) {
+      vec4 a = coneStart(cone), b = coneEnd(cone);
+      open *= openSky(p, vec3(0., 1., 0.), a, b);
+      lit = min(lit, openSun(p, a, b, 2.6));
+    }
+  }
+  for (int s = 0; s < spotCount; s++) {
+    vec2 off = (place - spots[s].xy) / spots[s].z;
+    open *= 1. - .5 * exp(-dot(off, off));
+  }
+  float away = distance(place, centre);
+  float grid = max(lines(cell, 1.1) * .55, lines(cell * 2., 1.2))
+    * gridStrength * (1. - smoothstep(fade * .25, fade, away));
+  float shadow = (1. - open * mix(.62, 1., lit)) * shadowStrength;
+  float alpha = 1. - (1. - grid) * (1. - shadow);
+  if (alpha < .002) discard;
+  pixel = linearToOutputTexel(vec4(mix(gridColour, shadowColour, clamp(shadow / alpha, 0., 1.)), alpha));
+}
+`;
+
+export const backgroundVertex = /* glsl */ `
+out float height;
+void main() {
+  height = position.y * .5 + .5;
+  gl_Position = vec4(position.xy, 1., 1.);
+}
+`;
+
+/** Colours are sRGB already, mixed as CSS mixes them; half a step of noise hides the bands. */
+export const backgroundFragment = /* glsl */ `
+uniform vec3 top, bottom;
+in float height;
+out vec4 pixel;
+void main() {
+  float noise = fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * 43758.5453) - .5;
+  pixel = vec4(mix(bottom, top, height) + noise / 255., 1.);
+}
+`;

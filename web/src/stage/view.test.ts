@@ -1,0 +1,77 @@
+import { describe, expect, it } from 'vitest';
+import { eased, mixViews, presetView, shortestTurn, type View } from './view';
+
+const yaws = { frontYawRad: 0.4, sideYawRad: 2.1 };
+
+describe('presetView', () => {
+  it('looks at the figure from the yaw of the preset', () => {
+    expect(presetView('front', yaws, 2, 3, -1)).toMatchObject({
+      yawRad: 0.4,
+      targetX: 3,
+      targetZ: -1,
+    });
+    expect(presetView('side', yaws, 2, 0, 0).yawRad).toBe(2.1);
+    expect(presetView('top', yaws, 2, 0, 0).elevationRad).toBeGreaterThan(1.5);
+  });
+
+  it('frames a body height and a half, or more where the stage is narrow', () => {
+    const wide = presetView('side', yaws, 2, 0, 0);
+    const halfHeight = wide.distance * Math.tan((23 / 360) * Math.PI);
+    expect(halfHeight).toBeCloseTo(0.72, 9);
+    const narrow = presetView('side', yaws, 0.5, 0, 0);
+    expect(narrow.distance * Math.tan((23 / 360) * Math.PI) * 0.5).toBeCloseTo(0.62, 9);
+  });
+});
+
+describe('mixViews', () => {
+  const from: View = {
+    yawRad: 3,
+    elevationRad: 0,
+    distance: 2,
+    targetX: 0,
+    targetY: 0,
+    targetZ: 0,
+  };
+  const to: View = { yawRad: -3, elevationRad: 1, distance: 4, targetX: 1, targetY: 2, targetZ: 3 };
+
+  it('turns the shorter way round', () => {
+    const out = { ...from };
+    mixViews(from, to, 0.5, out);
+    expect(Math.abs(out.yawRad)).toBeCloseTo(Math.PI, 9);
+    expect(out).toMatchObject({
+      elevationRad: 0.5,
+      distance: 3,
+      targetX: 0.5,
+      targetY: 1,
+      targetZ: 1.5,
+    });
+  });
+
+  it('begins and ends at its ends', () => {
+    const out = { ...from };
+    mixViews(from, to, 0, out);
+    expect(out).toEqual(from);
+    mixViews(from, to, 1, out);
+    expect(shortestTurn(out.yawRad, to.yawRad)).toBeCloseTo(0, 9);
+    expect(out.distance).toBe(4);
+  });
+});
+
+describe('shortestTurn', () => {
+  it('is never more than half a turn', () => {
+    for (let from = -10; from < 10; from += 0.37) {
+      for (let to = -10; to < 10; to += 0.41) {
+        const turn = shortestTurn(from, to);
+        expect(Math.abs(turn)).toBeLessThanOrEqual(Math.PI);
+        expect(Math.cos(from + turn - to)).toBeCloseTo(1, 9);
+      }
+    }
+  });
+});
+
+describe('eased', () => {
+  it('runs from 0 to 1, quick at first', () => {
+    expect([eased(-1), eased(0), eased(1), eased(2)]).toEqual([0, 0, 1, 1]);
+    expect(eased(0.25)).toBeGreaterThan(0.5);
+  });
+});

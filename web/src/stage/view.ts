@@ -1,0 +1,72 @@
+/** In: a preset, the yaws of the clip, the shape of the stage. Out: where the camera stands; no three.js. */
+
+export type ViewPreset = 'front' | 'side' | 'top';
+
+/** A camera on a ball around its target; yaw as in figure/up-frame.ts, lengths in body heights. */
+export interface View {
+  yawRad: number;
+  elevationRad: number;
+  distance: number;
+  targetX: number;
+  targetY: number;
+  targetZ: number;
+}
+
+/** Vertical field of view: a long lens, which keeps limbs in proportion. */
+export const LENS_DEGREES = 23;
+
+const EYE_ELEVATION_RAD = 0.07;
+/** Not quite from above, so that the picture has an upper edge. */
+const TOP_ELEVATION_RAD = 1.555;
+/** Half the height and half the width that the framing keeps free around the figure. */
+const FRAMED_HALF_HEIGHT = 0.72;
+const FRAMED_HALF_WIDTH = 0.62;
+const TARGET_HEIGHT = 0.55;
+
+export interface Yaws {
+  readonly frontYawRad: number;
+  readonly sideYawRad: number;
+}
+
+/** The preset's view of a figure that stands at (x, z); `aspect` is width / height of the stage. */
+export function presetView(
+  preset: ViewPreset,
+  yaws: Yaws,
+  aspect: number,
+  x: number,
+  z: number,
+): View {
+  const halfHeight = Math.max(FRAMED_HALF_HEIGHT, FRAMED_HALF_WIDTH / Math.max(aspect, 1e-3));
+  return {
+    yawRad: preset === 'side' ? yaws.sideYawRad : yaws.frontYawRad,
+    elevationRad: preset === 'top' ? TOP_ELEVATION_RAD : EYE_ELEVATION_RAD,
+    distance: halfHeight / Math.tan((LENS_DEGREES * Math.PI) / 360),
+    targetX: x,
+    targetY: TARGET_HEIGHT,
+    targetZ: z,
+  };
+}
+
+/** Writes the view at `progress` 0 … 1 between two views into `out`, turning the shorter way. */
+export function mixViews(from: View, to: View, progress: number, out: View): void {
+  const mix = (a: number, b: number): number => a + (b - a) * progress;
+  out.yawRad = from.yawRad + shortestTurn(from.yawRad, to.yawRad) * progress;
+  out.elevationRad = mix(from.elevationRad, to.elevationRad);
+  out.distance = mix(from.distance, to.distance);
+  out.targetX = mix(from.targetX, to.targetX);
+  out.targetY = mix(from.targetY, to.targetY);
+  out.targetZ = mix(from.targetZ, to.targetZ);
+}
+
+/** The turn from one yaw to another, between −π and π. */
+export function shortestTurn(fromRad: number, toRad: number): number {
+  const turn = (toRad - fromRad) % (2 * Math.PI);
+  if (turn > Math.PI) return turn - 2 * Math.PI;
+  return turn < -Math.PI ? turn + 2 * Math.PI : turn;
+}
+
+/** Quick at first, gentle at the end; close to cubic-bezier(.2, 0, 0, 1). */
+export function eased(progress: number): number {
+  const left = 1 - Math.min(Math.max(progress, 0), 1);
+  return 1 - left * left * left * left;
+}
