@@ -45,6 +45,8 @@ pub struct SpeedRun {
     filter: Option<LaneFilter<LANES>>,
     solution: Solution<LANES>,
     first_column: usize,
+    /// Whether the columns from there on lie in `columns`.
+    are_gathered: bool,
     /// The columns in work, gathered from the track; those beyond its width are zero.
     columns: Vec<[f64; LANES]>,
     /// Σ of the squared steps of the columns done so far, one a frame step.
@@ -58,24 +60,27 @@ impl SpeedRun {
             let lambda = hodrick_prescott::lambda_of_cutoff(cutoff_hz, frame_rate_hz);
             LaneFilter::new(track.frames(), [lambda; LANES])
         });
-        let mut run = Self {
+        Self {
             frame_rate_hz,
             width: 3 * track.joint_count,
             filter,
             solution: Solution::default(),
             first_column: 0,
+            are_gathered: false,
             columns: vec![[0.0; LANES]; track.frames()],
             squares: vec![0.0; track.frames().saturating_sub(1)],
-        };
-        run.start_columns(track);
-        run
+        }
     }
 
-    /// Works for `budget` rows of a pass over eight columns, always with the track of
-    /// [`SpeedRun::new`]; three passes make a filter. True when done.
+    /// Works for `budget` rows of a pass over eight columns (three passes make a filter), or makes
+    /// ready the next eight; always with the track of [`SpeedRun::new`]. True when done.
     pub fn advance(&mut self, track: &PelvisTrack, budget: usize) -> bool {
         if self.is_done() {
             return true;
+        }
+        if !self.are_gathered {
+            self.gather(track);
+            return false;
         }
         let are_filtered = match &self.filter {
             Some(filter) => filter.advance(&self.columns, &mut self.solution, budget),
@@ -84,7 +89,7 @@ impl SpeedRun {
         if are_filtered {
             self.add_squared_steps();
             self.first_column += LANES;
-            self.start_columns(track);
+            self.are_gathered = false;
         }
         self.is_done()
     }
@@ -113,10 +118,7 @@ impl SpeedRun {
     }
 
     /// Gathers the next columns: side by side in memory they are filtered several times as fast.
-    fn start_columns(&mut self, track: &PelvisTrack) {
-        if self.is_done() {
-            return;
-        }
+    fn gather(&mut self, track: &PelvisTrack) {
         let used = LANES.min(self.width - self.first_column);
         let frames = track.coordinates.chunks_exact(self.width);
         for (row, frame) in self.columns.iter_mut().zip(frames) {
@@ -126,6 +128,7 @@ impl SpeedRun {
         if let Some(filter) = &self.filter {
             filter.start(&mut self.solution);
         }
+        self.are_gathered = true;
     }
 
     fn add_squared_steps(&mut self) {

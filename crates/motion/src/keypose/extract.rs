@@ -75,6 +75,17 @@ struct Survivor {
     frame: usize,
 }
 
+/// What the next step does.
+#[derive(Clone, Copy, Debug)]
+enum Stage {
+    /// Makes ready the next filters.
+    Start,
+    /// Filters.
+    Filter,
+    /// Matches one of the filtered levels.
+    Match(usize),
+}
+
 /// An extraction cut into steps.
 #[derive(Clone, Debug)]
 pub struct Extractor {
@@ -90,8 +101,7 @@ pub struct Extractor {
     /// The scales from here on are still to do.
     next_scale: usize,
     levels: Levels,
-    /// The next of `levels` to be matched; none while they are being filtered.
-    next_level: Option<usize>,
+    stage: Stage,
     entries: Vec<TraceEntry>,
 }
 
@@ -110,7 +120,7 @@ impl Extractor {
         let floor = options.depth_floor * speed.iter().copied().fold(0.0, f64::max);
         let candidates = minima(&speed, floor);
         let survivor = |(candidate, &frame)| Survivor { candidate, frame };
-        let mut extractor = Self {
+        Ok(Self {
             frame_rate_hz,
             options: *options,
             floor,
@@ -120,12 +130,10 @@ impl Extractor {
             candidates,
             next_scale: 0,
             levels: Levels::default(),
-            next_level: None,
+            stage: Stage::Start,
             entries: Vec::new(),
             speed,
-        };
-        extractor.start_levels();
-        Ok(extractor)
+        })
     }
 
     /// Works for about `budget` rows of eight filters, or matches one scale. True when done.
@@ -133,17 +141,26 @@ impl Extractor {
         if self.is_done() {
             return true;
         }
-        match self.next_level {
-            None if self.levels.advance(&self.speed, budget) => self.next_level = Some(0),
-            None => {}
-            Some(level) => {
+        match self.stage {
+            Stage::Start => {
+                let scales_hz = &self.scales_hz[self.next_scale..];
+                self.levels
+                    .start(scales_hz, self.frame_rate_hz, self.speed.len());
+                self.stage = Stage::Filter;
+            }
+            Stage::Filter if self.levels.advance(&self.speed, budget) => {
+                self.stage = Stage::Match(0);
+            }
+            Stage::Filter => {}
+            Stage::Match(level) => {
                 self.match_level(level);
                 self.next_scale += 1;
-                self.next_level = Some(level + 1);
-                if level + 1 == self.levels.count() {
-                    self.next_level = None;
-                    self.start_levels();
-                }
+                let is_last = level + 1 == self.levels.count();
+                self.stage = if is_last {
+                    Stage::Start
+                } else {
+                    Stage::Match(level + 1)
+                };
             }
         }
         self.is_done()
@@ -176,14 +193,6 @@ impl Extractor {
 
     fn is_done(&self) -> bool {
         self.survivors.is_empty() || self.next_scale == self.scales_hz.len()
-    }
-
-    fn start_levels(&mut self) {
-        if !self.is_done() {
-            let scales_hz = &self.scales_hz[self.next_scale..];
-            self.levels
-                .start(scales_hz, self.frame_rate_hz, self.speed.len());
-        }
     }
 
     /// Matches the minima of one level with the survivors, and notes what they gather.
