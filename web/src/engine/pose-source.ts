@@ -56,6 +56,9 @@ type FetchPoses = (first: number, count: number, signal: AbortSignal) => Promise
 type Chunk = readonly Float32Array[]
 
 class ChunkedPoses implements PoseSource {
+  readonly jointCount: number
+  readonly frames: number
+  private readonly fetch: FetchPoses
   private readonly chunkFrames: number
   private readonly chunksAhead: number
   private readonly maximumChunks: number
@@ -69,12 +72,10 @@ class ChunkedPoses implements PoseSource {
   private lastIndex = -1
   private lastChunk: Chunk | null = null
 
-  constructor(
-    private readonly fetch: FetchPoses,
-    readonly jointCount: number,
-    readonly frames: number,
-    options: PoseSourceOptions,
-  ) {
+  constructor(fetch: FetchPoses, jointCount: number, frames: number, options: PoseSourceOptions) {
+    this.fetch = fetch
+    this.jointCount = jointCount
+    this.frames = frames
     this.chunkFrames = options.chunkFrames ?? DEFAULTS.chunkFrames
     this.chunksAhead = options.chunksAhead ?? DEFAULTS.chunksAhead
     this.onError = options.onError ?? (() => undefined)

@@ -54,9 +54,14 @@ export interface Failure {
 
 /** The error every promise of the engine rejects with, except for an AbortError after a cancel. */
 export class EngineError extends Error {
-  constructor(readonly failure: Failure, readonly fileName: string) {
+  readonly failure: Failure
+  readonly fileName: string
+
+  constructor(failure: Failure, fileName: string) {
     super(`${fileName}: ${failure.kind} ${failure.details.join(' ')}`)
     this.name = 'EngineError'
+    this.failure = failure
+    this.fileName = fileName
   }
 }
 
@@ -171,6 +176,11 @@ export interface WorkOptions {
   readonly onProgress?: (progress: Progress) => void
 }
 
+export interface UnzipOptions extends WorkOptions {
+  /** Told of each entry that cannot be unpacked; the others go on. */
+  readonly onFailure?: (error: EngineError) => void
+}
+
 export type ClipId = number
 
 export type ExportKind = 'keyposes-csv' | 'keyposes-json'
@@ -194,10 +204,12 @@ export interface Engine {
   /** A file of results, written by the core. */
   exportText(id: ClipId, kind: ExportKind, work?: WorkOptions): Promise<string>
   /** Entries of a .zip that end in .bvh, unpacked in a worker, one by one. */
-  unzip(archive: Blob, onEntry: (source: ClipSource) => void, work?: WorkOptions): Promise<void>
+  unzip(archive: Blob, onEntry: (source: ClipSource) => void, work?: UnzipOptions): Promise<void>
   samples(): Promise<readonly SampleInfo[]>
   /** A sample motion as a file, made by the generator in a worker. */
   sample(id: string): Promise<ClipSource>
+  /** Says which clip is on the stage: its motion is never dropped, and its work goes first. */
+  keep(id: ClipId | null): void
   /** Frees a clip everywhere. */
   close(id: ClipId): void
   destroy(): void

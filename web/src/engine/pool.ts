@@ -1,0 +1,321 @@
+/**
+ * A pool of workers: tasks go in, their results or one clear error come out. A worker that dies, or
+ * does not answer to a cancel, is replaced; only the task that did it fails for it.
+ */
+import type { JobId, Memory, Outcome, UnpackedEntry, WorkerApi, WorkerListener } from './protocol';
+import type { ClipId, Failure, Progress } from './types';
+
+/** A worker as seen from outside: every answer is a promise. */
+export type RemoteWorker = {
+  readonly [K in keyof WorkerApi]: (
+    ...parameters: Parameters<WorkerApi[K]>
+  ) => Promise<Awaited<ReturnType<WorkerApi[K]>>>;
+};
+
+/** A worker and its life. */
+export interface PoolWorker {
+  readonly api: RemoteWorker;
+  terminate(): void;
+}
+
+/** Starts a worker; `died` is called when it ends by itself. */
+export type Spawn = (listener: WorkerListener, died: (message: string) => void) => PoolWorker;
+
+export interface Task<T> {
+  readonly clip: ClipId | null;
+  readonly signal?: AbortSignal | undefined;
+  /** Whether to go before the tasks that wait. */
+  readonly urgent?: () => boolean;
+  /** Told in which slot the task runs. */
+  readonly placed?: (slot: number) => void;
+  readonly progress?: ((progress: Progress) => void) | undefined;
+  readonly entry?: (entry: UnpackedEntry) => void;
+  readonly entryFailure?: (name: string, failure: Failure) => void;
+  run(api: RemoteWorker, job: JobId): Promise<Outcome<T>>;
+}
+
+export interface Landed<T> {
+  readonly value: T;
+  readonly slot: number;
+  readonly memory: Memory;
+}
+
+/** The task failed for a reason of its own. */
+export class TaskFailed extends Error {
+  readonly failure: Failure;
+
+  constructor(failure: Failure) {
+    super(failure.kind);
+    this.name = 'TaskFailed';
+    this.failure = failure;
+  }
+}
+
+/** The worker was replaced for another task's sake: begin again. */
+export class WorkerLost extends Error {
+  constructor() {
+    super('the worker was replaced');
+    this.name = 'WorkerLost';
+  }
+}
+
+/** A worker that is silent for so long after a cancel is replaced. */
+const SILENCE_MS = 200;
+
+/** The error of a cancelled promise. */
+export function abortError(): DOMException {
+  return new DOMException('The work was cancelled.', 'AbortError');
+}
+
+/** A failure that is about the engine, not about a place in a file. */
+export function failureOf(kind: string, ...details: string[]): Failure {
+  return { kind, line: null, column: null, details };
+}
+
+/** A task in a worker. */
+interface Flight {
+  readonly job: JobId;
+  readonly task: Task<unknown>;
+  settle(result: Landed<unknown> | Error): void;
+}
+
+interface Slot {
+  readonly index: number;
+  worker: PoolWorker | null;
+  readonly flights: Set<Flight>;
+  /** The long task that occupies the slot. */
+  long: Flight | null;
+  wasmBytes: number;
+  lastUsed: number;
+  /** Whether to replace the worker once it has nothing to do. */
+  tired: boolean;
+}
+
+interface Waiting {
+  readonly slot: number | null;
+  readonly task: Task<unknown>;
+  settle(result: Landed<unknown> | Error): void;
+}
+
+export class Pool {
+  private readonly spawn: Spawn;
+  private readonly slots: readonly Slot[];
+  private readonly waiting: Waiting[] = [];
+  private lastJob = 0;
+  private uses = 0;
+  private destroyed = false;
+
+  constructor(spawn: Spawn, size: number) {
+    this.spawn = spawn;
+    this.slots = Array.from({ length: size }, (_, index) => emptySlot(index));
+  }
+
+  /** Starts all workers now, so that the first file does not wait for one. */
+  warm(): void {
+    for (const slot of this.slots) this.hire(slot);
+  }
+
+  /** A long task: one at a time in a slot, the rest wait. In any slot, or in the one named. */
+  enqueue<T>(task: Task<T>, slot: number | null = null): Promise<Landed<T>> {
+    return this.promise(task, (settle) => {
+      const waiting = { slot, task, settle };
+      task.signal?.addEventListener('abort', () => this.withdraw(waiting), { once: true });
+      this.waiting.push(waiting);
+      this.dispatch();
+    });
+  }
+
+  /** A short task, sent at once to the slot named, also in the middle of a long one. */
+  send<T>(task: Task<T>, slot: number): Promise<Landed<T>> {
+    return this.promise(task, (settle) => {
+      this.launch(this.slotAt(slot), task, settle);
+    });
+  }
+
+  /** A message without an answer; a slot without a worker has nothing to be told. */
+  tell(slot: number, message: (api: RemoteWorker) => Promise<void>): void {
+    const { worker } = this.slotAt(slot);
+    if (worker !== null) message(worker.api).catch(() => undefined);
+  }
+
+  /** Replaces the slot's worker, once it is idle, if its memory has grown above the limit. */
+  retire(slot: number, limitBytes: number): void {
+    const found = this.slotAt(slot);
+    if (found.wasmBytes <= limitBytes) return;
+    found.tired = true;
+    this.rest(found);
+  }
+
+  destroy(): void {
+    this.destroyed = true;
+    for (const waiting of this.waiting.splice(0)) waiting.settle(abortError());
+    for (const slot of this.slots) this.dismiss(slot, abortError);
+  }
+
+  private promise<T>(
+    task: Task<T>,
+    start: (settle: (result: Landed<unknown> | Error) => void) => void,
+  ): Promise<Landed<T>> {
+    return new Promise((resolve, reject) => {
+      if (this.destroyed || task.signal?.aborted === true) {
+        reject(abortError());
+        return;
+      }
+      start((result) => {
+        if (result instanceof Error) reject(result);
+        else resolve(result as Landed<T>);
+      });
+    });
+  }
+
+  private withdraw(waiting: Waiting): void {
+    const index = this.waiting.indexOf(waiting);
+    if (index < 0) return;
+    this.waiting.splice(index, 1);
+    waiting.settle(abortError());
+  }
+
+  private dispatch(): void {
+    const free = this.slots.filter((slot) => slot.long === null && !slot.tired);
+    for (const slot of free.sort((a, b) => a.lastUsed - b.lastUsed)) {
+      const next = this.take(slot.index);
+      if (next === null) continue;
+      slot.lastUsed = ++this.uses;
+      slot.long = this.launch(slot, next.task, next.settle);
+    }
+  }
+
+  private take(slot: number): Waiting | null {
+    const fits = (waiting: Waiting) => waiting.slot === null || waiting.slot === slot;
+    const urgent = this.waiting.findIndex((one) => fits(one) && one.task.urgent?.() === true);
+    const index = urgent >= 0 ? urgent : this.waiting.findIndex(fits);
+    return index < 0 ? null : (this.waiting.splice(index, 1)[0] ?? null);
+  }
+
+  private launch(slot: Slot, task: Task<unknown>, settle: Waiting['settle']): Flight {
+    const worker = this.hire(slot);
+    const flight: Flight = { job: ++this.lastJob, task, settle };
+    slot.flights.add(flight);
+    task.placed?.(slot.index);
+    task.signal?.addEventListener('abort', () => this.cancel(slot, flight), { once: true });
+    task.run(worker.api, flight.job).then(
+      (outcome) => this.land(slot, flight, outcome),
+      (error: unknown) => this.bury(slot, flight, String(error)),
+    );
+    return flight;
+  }
+
+  private land(slot: Slot, flight: Flight, outcome: Outcome<unknown>): void {
+    if (!slot.flights.has(flight)) return;
+    if (outcome.status === 'trapped') {
+      this.bury(slot, flight, outcome.message);
+      return;
+    }
+    slot.wasmBytes = outcome.memory.wasmBytes;
+    flight.settle(resultOf(outcome, slot.index));
+    this.leave(slot, flight);
+  }
+
+  private leave(slot: Slot, flight: Flight): void {
+    slot.flights.delete(flight);
+    if (slot.long === flight) slot.long = null;
+    this.rest(slot);
+    this.dispatch();
+  }
+
+  private rest(slot: Slot): void {
+    if (slot.tired && slot.flights.size === 0) this.dismiss(slot, () => new WorkerLost());
+  }
+
+  private cancel(slot: Slot, flight: Flight): void {
+    const { worker } = slot;
+    if (worker === null || !slot.flights.has(flight)) return;
+    flight.settle(abortError());
+    let heard = false;
+    worker.api.cancel(flight.job).then(
+      () => (heard = true),
+      () => undefined,
+    );
+    // The second timer lets an answer in that arrived while this thread was busy.
+    setTimeout(() => setTimeout(() => {
+      const silent = !heard && slot.worker === worker && slot.flights.has(flight);
+      if (silent) this.dismiss(slot, () => new WorkerLost());
+    }), SILENCE_MS);
+  }
+
+  /** The worker is dead: the flight that did it fails, the others begin again. */
+  private bury(slot: Slot, culprit: Flight, message: string): void {
+    if (!slot.flights.has(culprit)) return;
+    culprit.settle(new TaskFailed(failureOf('worker-died', message)));
+    this.dismiss(slot, () => new WorkerLost());
+  }
+
+  private died(slot: Slot, worker: PoolWorker | null, message: string): void {
+    if (slot.worker !== worker) return;
+    const [oldest] = slot.flights;
+    const culprit = slot.long ?? oldest;
+    if (culprit === undefined) this.dismiss(slot, () => new WorkerLost());
+    else this.bury(slot, culprit, message);
+  }
+
+  /** Ends the worker; its slot gets a new one with the next task. */
+  private dismiss(slot: Slot, reason: () => Error): void {
+    slot.worker?.terminate();
+    const flights = [...slot.flights];
+    Object.assign(slot, emptySlot(slot.index), { lastUsed: slot.lastUsed });
+    for (const flight of flights) flight.settle(reason());
+    if (!this.destroyed) this.dispatch();
+  }
+
+  private hire(slot: Slot): PoolWorker {
+    if (slot.worker !== null) return slot.worker;
+    const worker = this.spawn(this.listenerOf(slot), (message) => this.died(slot, worker, message));
+    slot.worker = worker;
+    return worker;
+  }
+
+  private listenerOf(slot: Slot): WorkerListener {
+    const taskOf = (job: JobId) => {
+      for (const flight of slot.flights) if (flight.job === job) return flight.task;
+      return undefined;
+    };
+    return {
+      progress: (job, progress) => taskOf(job)?.progress?.(progress),
+      entry: (job, entry) => taskOf(job)?.entry?.(entry),
+      entryFailure: (job, name, failure) => taskOf(job)?.entryFailure?.(name, failure),
+    };
+  }
+
+  private slotAt(index: number): Slot {
+    const slot = this.slots[index];
+    if (slot === undefined) throw new RangeError(`slot ${index} of ${this.slots.length}`);
+    return slot;
+  }
+}
+
+function emptySlot(index: number): Slot {
+  return {
+    index,
+    worker: null,
+    flights: new Set(),
+    long: null,
+    wasmBytes: 0,
+    lastUsed: 0,
+    tired: false,
+  };
+}
+
+function resultOf(
+  outcome: Exclude<Outcome<unknown>, { status: 'trapped' }>,
+  slot: number,
+): Landed<unknown> | Error {
+  switch (outcome.status) {
+    case 'done':
+      return { value: outcome.value, slot, memory: outcome.memory };
+    case 'failed':
+      return new TaskFailed(outcome.failure);
+    // Cancelled by another task's cancel: its own has been settled before.
+    case 'cancelled':
+      return new WorkerLost();
+  }
+}

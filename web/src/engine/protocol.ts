@@ -1,0 +1,81 @@
+/**
+ * What the engine and its workers say to each other: plain data, typed arrays and Blobs.
+ */
+import type {
+  ClipId,
+  ClipResult,
+  Decisions,
+  ExportKind,
+  Failure,
+  MethodOptions,
+  Progress,
+  SampleInfo,
+} from './types';
+
+/** One piece of work; the engine counts them up. */
+export type JobId = number;
+
+/** Everything a worker needs to begin or begin again with a clip: no call depends on an earlier one. */
+export interface ClipRef {
+  readonly id: ClipId;
+  readonly name: string;
+  readonly blob: Blob;
+  readonly decisions: Decisions;
+  readonly options: MethodOptions;
+  /** Whether the file has been read before: unreadable now means changed on disk. */
+  readonly readBefore: boolean;
+}
+
+/** What memory a worker holds after a job. */
+export interface Memory {
+  /** Bytes of the worker's WebAssembly memory. */
+  readonly wasmBytes: number;
+  /** Bytes of the motion of the clip that the job was about; 0 without one. */
+  readonly motionBytes: number;
+}
+
+/** How a job ended. `trapped`: the WebAssembly module is broken, and the worker with it. */
+export type Outcome<T> =
+  | { readonly status: 'done'; readonly value: T; readonly memory: Memory }
+  | { readonly status: 'failed'; readonly failure: Failure; readonly memory: Memory }
+  | { readonly status: 'cancelled'; readonly memory: Memory }
+  | { readonly status: 'trapped'; readonly message: string };
+
+/** An entry of an archive that a worker has unpacked. */
+export interface UnpackedEntry {
+  readonly name: string;
+  readonly folder: string;
+  readonly blob: Blob;
+}
+
+/** What a worker says in the middle of a job. */
+export interface WorkerListener {
+  progress(job: JobId, progress: Progress): void;
+  entry(job: JobId, entry: UnpackedEntry): void;
+  entryFailure(job: JobId, name: string, failure: Failure): void;
+}
+
+/** What a worker does. Every method but `cancel`, `close` and `dropMotion` ends with an outcome. */
+export interface WorkerApi {
+  listen(listener: WorkerListener): void;
+  /** Reads the clip if its motion is not there, and analyses it. */
+  analyse(job: JobId, clip: ClipRef): Promise<Outcome<ClipResult>>;
+  poses(job: JobId, clip: ClipRef, performer: number, frames: Int32Array): Promise<Outcome<Float32Array>>;
+  poseRange(
+    job: JobId,
+    clip: ClipRef,
+    performer: number,
+    firstFrame: number,
+    count: number,
+  ): Promise<Outcome<Float32Array>>;
+  exportText(job: JobId, clip: ClipRef, kind: ExportKind): Promise<Outcome<string>>;
+  unzip(job: JobId, archive: Blob): Promise<Outcome<null>>;
+  samples(job: JobId): Promise<Outcome<readonly SampleInfo[]>>;
+  sample(job: JobId, id: string): Promise<Outcome<UnpackedEntry>>;
+  /** Ends a job at its next step. The answer itself says that the worker is alive. */
+  cancel(job: JobId): void;
+  /** Frees the motion of a clip; it is read again when needed. */
+  dropMotion(id: ClipId): void;
+  /** Frees everything of a clip. */
+  close(id: ClipId): void;
+}
