@@ -2,8 +2,9 @@
  * The one door to the workers: clips by their id go in, promises of results come out. A clip lives in
  * one worker; what a worker lost is read again from the clip's Blob when it is next needed.
  */
+import { failureOf } from './failures';
 import { MotionMemory } from './motion-memory';
-import { type Landed, Pool, type Spawn, type Task, TaskFailed, WorkerLost, abortError, failureOf } from './pool';
+import { type Landed, Pool, type Spawn, type Task, TaskFailed, WorkerLost, abortError } from './pool';
 import type { ClipRef, UnpackedEntry } from './protocol';
 import {
   type ClipId,

@@ -3,6 +3,7 @@
  * does not answer to a cancel, is replaced; only the task that did it fails for it.
  */
 import type { JobId, Memory, Outcome, UnpackedEntry, WorkerApi, WorkerListener } from './protocol';
+import { failureOf } from './failures';
 import type { ClipId, Failure, Progress } from './types';
 
 /** A worker as seen from outside: every answer is a promise. */
@@ -65,11 +66,6 @@ const SILENCE_MS = 200;
 /** The error of a cancelled promise. */
 export function abortError(): DOMException {
   return new DOMException('The work was cancelled.', 'AbortError');
-}
-
-/** A failure that is about the engine, not about a place in a file. */
-export function failureOf(kind: string, ...details: string[]): Failure {
-  return { kind, line: null, column: null, details };
 }
 
 /** A task in a worker. */

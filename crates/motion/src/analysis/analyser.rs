@@ -1,0 +1,100 @@
+//! The analysis of all performers of a clip, in steps.
+
+use super::performer::{PerformerRun, Settings};
+use super::settings::{Decisions, SettingsError, Source};
+use super::{Analysis, PerformerAnalysis};
+use crate::clip::Clip;
+use crate::keypose::Options;
+use crate::note::NoteKind;
+
+/// Analyses a clip in steps of a few milliseconds.
+#[derive(Clone, Debug, Default)]
+pub struct Analyser {
+    settings: Option<Settings>,
+    frame_time_s: f64,
+    frame_time_source: Option<Source>,
+    runs: Vec<PerformerRun>,
+}
+
+impl Analyser {
+    /// An analyser that knows nothing yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Makes ready for settings; what was made with others and does not depend on the difference
+    /// stays. Always with the same clip.
+    ///
+    /// # Errors
+    /// A decision or an option that cannot be.
+    pub fn begin(
+        &mut self,
+        clip: &Clip,
+        decisions: &Decisions,
+        options: &Options,
+    ) -> Result<(), SettingsError> {
+        decisions.validate()?;
+        options.validate()?;
+        let user_s = decisions.frame_rate_hz.map(|hz| 1.0 / hz);
+        let next = Settings {
+            decisions: *decisions,
+            options: *options,
+            frame_rate_hz: decisions.frame_rate_hz.unwrap_or_else(|| clip.frame_rate_hz()),
+        };
+        self.frame_time_s = user_s.unwrap_or(clip.frame_time_s);
+        self.frame_time_source = Some(match user_s {
+            Some(_) => Source::User,
+            None => found_or_default(clip),
+        });
+        self.runs.resize_with(clip.performers.len(), PerformerRun::default);
+        if let Some(last) = self.settings.replace(next) {
+            self.runs.iter_mut().for_each(|run| run.change(&last, &next));
+        }
+        Ok(())
+    }
+
+    /// A few milliseconds of work. Returns the part done; 1 when the analysis is there.
+    pub fn step(&mut self, clip: &Clip) -> f64 {
+        let Some(settings) = &self.settings else {
+            return 0.0;
+        };
+        let count = self.runs.len().max(1) as f64;
+        for (performer, run) in self.runs.iter_mut().enumerate() {
+            if run.analysis().is_none() {
+                // Options are checked when work begins.
+                let done = run.step(clip, performer, settings).unwrap_or(1.0);
+                return (performer as f64 + done) / count;
+            }
+        }
+        1.0
+    }
+
+    /// The analysis, once [`Analyser::step`] has said 1; before that, of the performers done.
+    pub fn analysis(&self) -> Analysis {
+        let performers = self.runs.iter().map_while(PerformerRun::analysis);
+        Analysis {
+            frame_time_s: self.frame_time_s,
+            frame_time_source: self.frame_time_source.unwrap_or(Source::Found),
+            performers: performers.cloned().collect::<Vec<PerformerAnalysis>>(),
+        }
+    }
+
+    /// Frees the poses; results stay.
+    pub fn drop_motion(&mut self) {
+        self.runs.iter_mut().for_each(PerformerRun::drop_motion);
+    }
+
+    /// Bytes that the poses take.
+    pub fn motion_bytes(&self) -> usize {
+        self.runs.iter().map(PerformerRun::motion_bytes).sum()
+    }
+}
+
+/// Whether the file says its frame time, as far as the notes tell.
+fn found_or_default(clip: &Clip) -> Source {
+    let assumed = [NoteKind::FrameTimeMissing, NoteKind::FrameTimeInvalid];
+    match clip.notes.iter().any(|note| assumed.contains(&note.kind)) {
+        true => Source::Default,
+        false => Source::Found,
+    }
+}

@@ -1,0 +1,112 @@
+//! A clip and a person's decisions in, everything that is shown of it out: body, world, speed,
+//! keyposes, feature, pictures and notes.
+//!
+//! [`analyse`] does it at once; an [`Analyser`] does it in steps, so that other work can go on
+//! between them, and after a changed setting does only the later stages again.
+
+mod analyser;
+mod facing;
+mod performer;
+mod placement;
+mod settings;
+
+pub use analyser::Analyser;
+pub use settings::{Decisions, SettingsError, Source};
+
+use crate::body::Body;
+use crate::clip::Clip;
+use crate::keypose::{Extraction, Options};
+use crate::note::Note;
+use crate::rest::RestReason;
+use crate::world::{Unit, Up};
+
+/// What was found in one clip.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Analysis {
+    /// Seconds from one frame to the next, as used.
+    pub frame_time_s: f64,
+    /// Where the frame time is from.
+    pub frame_time_source: Source,
+    /// One for each performer of the clip, in its order.
+    pub performers: Vec<PerformerAnalysis>,
+}
+
+/// What was found of one performer. Frames are those of the file, from 0.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PerformerAnalysis {
+    /// Which joint is which.
+    pub body: Body,
+    /// Body height in file units.
+    pub height: f64,
+    /// The up axis and where it is from.
+    pub up: (Up, Source),
+    /// The height of the ground along the up axis, in file units.
+    pub ground_height: f64,
+    /// The unit of length and where it is from; none if unknown.
+    pub unit: Option<(Unit, Source)>,
+    /// How many frames before the motion were left out.
+    pub leading_rest_frames: usize,
+    /// Why they were.
+    pub leading_rest_reason: LeadingRestReason,
+    /// Keyposes and what leads to them, or why there are none.
+    pub keyposes: Result<KeyposeAnalysis, Note>,
+    /// Means and standard deviations of the posture variation, in squared body heights; none
+    /// without frames or a human body.
+    pub feature: Option<[f64; 12]>,
+    /// The frame that pictures the motion.
+    pub thumbnail_frame: usize,
+    /// The yaw from which the figures of the keyposes are widest, see
+    /// [`crate::figure::widest_side_yaw`].
+    pub side_yaw_rad: f64,
+    /// The direction in which the pelvis faces in the mean, as an angle of the same kind.
+    pub front_yaw_rad: f64,
+    /// What was assumed and found out of the ordinary.
+    pub notes: Vec<Note>,
+}
+
+/// Why leading frames were left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LeadingRestReason {
+    /// None were.
+    None,
+    /// Found in the motion.
+    Found(RestReason),
+    /// A person says so.
+    User,
+}
+
+/// Keyposes and the series that lead to them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeyposeAnalysis {
+    /// The frame of the file to which the first value of `speed` belongs.
+    pub first_frame: usize,
+    /// Motion speed in body heights per second.
+    pub speed: Vec<f64>,
+    /// The slow part of it.
+    pub trend: Vec<f64>,
+    /// Candidates, traces, intensities and keyposes; frames count from `first_frame`.
+    pub extraction: Extraction,
+}
+
+impl KeyposeAnalysis {
+    /// Frames of the file of the keyposes, ascending.
+    pub fn keyposes(&self) -> Vec<usize> {
+        let keyposes = self.extraction.keyposes();
+        keyposes.into_iter().map(|frame| self.first_frame + frame).collect()
+    }
+}
+
+/// Analyses a clip at once.
+///
+/// # Errors
+/// A decision or an option that cannot be.
+pub fn analyse(
+    clip: &Clip,
+    decisions: &Decisions,
+    options: &Options,
+) -> Result<Analysis, SettingsError> {
+    let mut analyser = Analyser::new();
+    analyser.begin(clip, decisions, options)?;
+    while analyser.step(clip) < 1.0 {}
+    Ok(analyser.analysis())
+}

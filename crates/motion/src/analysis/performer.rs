@@ -1,0 +1,295 @@
+//! One performer's analysis as a row of pieces, each made from those before it. A step makes a part
+//! of the first piece that is missing; a changed setting takes pieces away.
+
+use super::placement::Placement;
+use super::settings::Decisions;
+use super::{KeyposeAnalysis, PerformerAnalysis};
+use crate::body::{self, Body, PoseTable, TableBuilder};
+use crate::clip::Clip;
+use crate::discontinuity;
+use crate::feature::posture_variation;
+use crate::figure;
+use crate::keypose::{Extraction, Extractor, Options, OptionsError};
+use crate::kinematics::Kinematics;
+use crate::note::{Note, NoteKind};
+use crate::speed::{self, MotionSpeed, SpeedRun};
+use crate::track::PelvisTrack;
+
+/// Joints placed in one step.
+const JOINTS_A_STEP: usize = 1 << 16;
+
+/// Rows filtered in one step, eight columns each.
+const ROWS_A_STEP: usize = 1 << 16;
+
+/// With fewer analysed frames the speed has no inner value.
+const FEWEST_FRAMES: usize = 4;
+
+/// Parts of the whole that are done when poses, speed and extraction are.
+const PLACED: f64 = 0.3;
+const SPEED_KNOWN: f64 = 0.6;
+
+/// What the pieces are made with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    pub decisions: Decisions,
+    pub options: Options,
+    pub frame_rate_hz: f64,
+}
+
+/// The pieces of one performer, in the order in which they are made.
+#[derive(Clone, Debug, Default)]
+pub struct PerformerRun {
+    body: Option<Body>,
+    table: PoseTable,
+    in_root: bool,
+    placement: Option<Placement>,
+    track: Option<PelvisTrack>,
+    jumps: Vec<Note>,
+    feature: Option<[f64; 12]>,
+    speed_run: Option<SpeedRun>,
+    speed: Option<MotionSpeed>,
+    trend: Vec<f64>,
+    extractor: Option<Extractor>,
+    extraction: Option<Extraction>,
+    analysis: Option<PerformerAnalysis>,
+}
+
+impl PerformerRun {
+    /// Takes away what `next` makes invalid.
+    pub fn change(&mut self, last: &Settings, next: &Settings) {
+        let (before, after) = (&last.decisions, &next.decisions);
+        self.analysis = None;
+        if before.leading_rest_frames != after.leading_rest_frames || before.up != after.up {
+            self.drop_motion();
+            self.placement = None;
+            self.forget_speed();
+        }
+        let is_same_rate = last.frame_rate_hz == next.frame_rate_hz;
+        if !is_same_rate || last.options.low_pass_hz != next.options.low_pass_hz {
+            self.forget_speed();
+        }
+        if last.options != next.options {
+            self.forget_extraction();
+            self.trend = Vec::new();
+        }
+    }
+
+    /// Frees the poses; they are made again when a later piece needs them.
+    pub fn drop_motion(&mut self) {
+        self.table = PoseTable::default();
+        self.track = None;
+        self.speed_run = None;
+    }
+
+    /// Bytes that the poses take.
+    pub fn motion_bytes(&self) -> usize {
+        let track = self.track.as_ref().map_or(0, |track| track.coordinates.capacity());
+        (track + self.table.joints.capacity()) * size_of::<f64>()
+    }
+
+    /// The result, once [`Self::step`] has said 1.
+    pub fn analysis(&self) -> Option<&PerformerAnalysis> {
+        self.analysis.as_ref()
+    }
+
+    /// Makes a part of the first missing piece. Returns the part done, 1 when all is there.
+    ///
+    /// # Errors
+    /// An option that cannot be.
+    pub fn step(
+        &mut self,
+        clip: &Clip,
+        performer: usize,
+        settings: &Settings,
+    ) -> Result<f64, OptionsError> {
+        if self.analysis.is_some() {
+            return Ok(1.0);
+        }
+        let Some(body) = &self.body else {
+            self.body = Some(body::find(clip, performer, &[]));
+            return Ok(0.0);
+        };
+        let Some(track) = &self.track else {
+            let body = body.clone();
+            return Ok(PLACED * self.place(clip, performer, &body, settings));
+        };
+        if track.frames() >= FEWEST_FRAMES && self.speed.is_none() {
+            return Ok(PLACED + (SPEED_KNOWN - PLACED) * self.measure_speed(settings));
+        }
+        if self.extraction.is_none() && self.speed.is_some() {
+            let done = self.extract(settings)?;
+            return Ok(SPEED_KNOWN + (0.99 - SPEED_KNOWN) * done);
+        }
+        self.analysis = self.finished(clip, performer, settings);
+        Ok(1.0)
+    }
+
+    fn forget_speed(&mut self) {
+        self.speed_run = None;
+        self.speed = None;
+        self.forget_extraction();
+        self.trend = Vec::new();
+    }
+
+    fn forget_extraction(&mut self) {
+        self.extractor = None;
+        self.extraction = None;
+    }
+
+    /// Adds poses to the table; when all are there, makes the track of it.
+    fn place(&mut self, clip: &Clip, performer: usize, body: &Body, settings: &Settings) -> f64 {
+        let table = core::mem::take(&mut self.table);
+        let mut builder = match self.in_root {
+            true => TableBuilder::in_root(clip, performer, body),
+            false => TableBuilder::new(clip, performer, body),
+        }
+        .resume(table);
+        let joints = clip.performers[performer].skeleton.joints.len();
+        let is_complete = builder.step(JOINTS_A_STEP / joints.max(1) + 1);
+        self.table = builder.finish();
+        if is_complete {
+            self.place_table(clip, performer, body, settings);
+        }
+        self.table.frames() as f64 / clip.frames.max(1) as f64
+    }
+
+    fn place_table(&mut self, clip: &Clip, performer: usize, body: &Body, settings: &Settings) {
+        let placement = match self.placement.take() {
+            Some(placement) => placement,
+            None => Placement::new(clip, performer, body, &self.table, &settings.decisions),
+        };
+        let is_in_root = self.in_root || body.pelvis == 0;
+        if placement.frame.is_root && !is_in_root {
+            // The coordinates are those of the root joint after all: once more from there.
+            self.in_root = true;
+            self.table = PoseTable::default();
+        } else {
+            let table = core::mem::take(&mut self.table);
+            let track = table.into_track(&placement.frame, placement.leading_rest_frames);
+            self.jumps = discontinuity::find(&track);
+            let has_feature = body.is_human() && track.frames() > 0;
+            self.feature = has_feature.then(|| posture_variation(&track));
+            self.track = Some(track);
+        }
+        self.placement = Some(placement);
+    }
+
+    fn measure_speed(&mut self, settings: &Settings) -> f64 {
+        let Some(track) = &self.track else {
+            return 0.0;
+        };
+        let (rate_hz, cutoff_hz) = (settings.frame_rate_hz, settings.options.low_pass_hz);
+        let mut run = match self.speed_run.take() {
+            Some(run) => run,
+            None => SpeedRun::new(track, rate_hz, cutoff_hz),
+        };
+        let done = run.progress();
+        match run.advance(track, ROWS_A_STEP) {
+            true => self.speed = Some(run.finish()),
+            false => self.speed_run = Some(run),
+        }
+        done
+    }
+
+    fn extract(&mut self, settings: &Settings) -> Result<f64, OptionsError> {
+        let Some(speed) = &self.speed else {
+            return Ok(0.0);
+        };
+        let rate_hz = settings.frame_rate_hz;
+        let mut extractor = match self.extractor.take() {
+            Some(extractor) => extractor,
+            None => {
+                let cutoff_hz = settings.options.trend_hz;
+                self.trend = speed::trend(&speed.values, rate_hz, cutoff_hz);
+                Extractor::new(speed.values.clone(), rate_hz, &settings.options)?
+            }
+        };
+        let done = extractor.progress();
+        match extractor.advance(ROWS_A_STEP) {
+            true => self.extraction = Some(extractor.finish()),
+            false => self.extractor = Some(extractor),
+        }
+        Ok(done)
+    }
+
+    fn finished(
+        &self,
+        clip: &Clip,
+        performer: usize,
+        settings: &Settings,
+    ) -> Option<PerformerAnalysis> {
+        let (body, placement, track) = (self.body.clone()?, self.placement.as_ref()?, self.track.as_ref()?);
+        let keyposes = self.keyposes(clip, track);
+        let frames = keyposes.as_ref().map(KeyposeAnalysis::keyposes).unwrap_or_default();
+        let thumbnail_frame = figure::thumbnail_frame(track, &frames).unwrap_or(0);
+        let pictured = if frames.is_empty() { &[thumbnail_frame][..] } else { &frames };
+        let unit = placement.unit(&body, &settings.decisions);
+        Some(PerformerAnalysis {
+            height: placement.frame.height,
+            up: placement.up,
+            ground_height: placement.ground_height,
+            leading_rest_frames: placement.leading_rest_frames,
+            leading_rest_reason: placement.leading_rest_reason,
+            feature: self.feature,
+            thumbnail_frame,
+            side_yaw_rad: side_yaw_rad(clip, performer, pictured, placement),
+            front_yaw_rad: placement.front_yaw_rad,
+            notes: self.notes(&body, placement, settings, unit.is_none()),
+            unit,
+            keyposes,
+            body,
+        })
+    }
+
+    fn keyposes(&self, clip: &Clip, track: &PelvisTrack) -> Result<KeyposeAnalysis, Note> {
+        match (&self.speed, &self.extraction) {
+            (Some(speed), Some(extraction)) => Ok(KeyposeAnalysis {
+                first_frame: track.first_frame,
+                speed: speed.values.clone(),
+                trend: self.trend.clone(),
+                extraction: extraction.clone(),
+            }),
+            _ if clip.frames < 2 => Err(Note::new(NoteKind::NoMotion, Vec::new())),
+            _ => Err(Note::new(NoteKind::TooShort, vec![track.frames().to_string()])),
+        }
+    }
+
+    fn notes(
+        &self,
+        body: &Body,
+        placement: &Placement,
+        settings: &Settings,
+        is_unit_unknown: bool,
+    ) -> Vec<Note> {
+        let mut notes = body.notes.clone();
+        notes.extend_from_slice(&placement.notes);
+        if is_unit_unknown {
+            notes.push(Note::new(NoteKind::UnitUnknown, Vec::new()));
+        }
+        notes.extend_from_slice(&self.jumps);
+        if self.speed.as_ref().is_some_and(|speed| !speed.filtered) {
+            let details = vec![settings.options.low_pass_hz.to_string()];
+            notes.push(Note::new(NoteKind::LowPassLeftOut, details));
+        }
+        if let Some(extraction) = self.extraction.as_ref().filter(|one| one.scales_left_out > 0) {
+            let finest = extraction.scales_hz.first().map(|hz| format!("{hz:.2}"));
+            notes.push(Note::new(NoteKind::ScalesLeftOut, finest.into_iter().collect()));
+        }
+        notes
+    }
+}
+
+/// The yaw from which the poses at `frames` are widest.
+fn side_yaw_rad(clip: &Clip, performer: usize, frames: &[usize], placement: &Placement) -> f64 {
+    let mut kinematics = Kinematics::new(clip, performer);
+    let width = 3 * kinematics.joint_count();
+    let inside = frames.iter().filter(|frame| **frame < clip.frames);
+    let mut poses = Vec::new();
+    for &frame in inside {
+        let mut pose = vec![0.0; width];
+        kinematics.positions(frame, &mut pose);
+        poses.push(pose);
+    }
+    let poses: Vec<&[f64]> = poses.iter().map(Vec::as_slice).collect();
+    figure::widest_side_yaw(&poses, placement.up.0)
+}

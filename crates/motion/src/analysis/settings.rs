@@ -1,0 +1,102 @@
+//! What a person decides about one clip, and what a decision may be.
+
+use core::fmt;
+
+use crate::keypose::OptionsError;
+use crate::world::{Unit, Up};
+
+/// A person's decisions about one clip; none: as found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Decisions {
+    /// Frames per second instead of what the file says.
+    pub frame_rate_hz: Option<f64>,
+    /// How many leading frames to leave out.
+    pub leading_rest_frames: Option<usize>,
+    /// The up axis.
+    pub up: Option<Up>,
+    /// The unit of length.
+    pub unit: Option<Unit>,
+}
+
+/// Where a value is from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// The file or its motion.
+    Found,
+    /// Assumed for want of anything better.
+    Default,
+    /// A person.
+    User,
+}
+
+impl Source {
+    /// Its name in machine-readable output.
+    pub fn name(self) -> &'static str {
+        match self {
+            Source::Found => "found",
+            Source::Default => "default",
+            Source::User => "user",
+        }
+    }
+}
+
+/// A decision or an option with a value that it cannot have.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SettingsError {
+    /// Its name, as the field of [`Decisions`] or [`crate::keypose::Options`].
+    pub field: &'static str,
+    /// Its value.
+    pub found: String,
+    /// What it may be.
+    pub expected: &'static str,
+}
+
+impl fmt::Display for SettingsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} is {}; expected {}", self.field, self.found, self.expected)
+    }
+}
+
+impl core::error::Error for SettingsError {}
+
+impl From<OptionsError> for SettingsError {
+    fn from(error: OptionsError) -> Self {
+        Self {
+            field: error.field,
+            found: error.found.to_string(),
+            expected: error.expected,
+        }
+    }
+}
+
+impl Decisions {
+    /// Says which decision, if any, has a value that it cannot have.
+    ///
+    /// # Errors
+    /// The frame rate, if it is not from 0.01 to 100 000.
+    pub fn validate(&self) -> Result<(), SettingsError> {
+        match self.frame_rate_hz {
+            Some(hz) if !(0.01..=100_000.0).contains(&hz) => Err(SettingsError {
+                field: "frame_rate_hz",
+                found: hz.to_string(),
+                expected: "a rate from 0.01 to 100000 frames per second",
+            }),
+            _ => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wrong_rate_is_named() {
+        for hz in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let decisions = Decisions { frame_rate_hz: Some(hz), ..Decisions::default() };
+            assert_eq!(decisions.validate().unwrap_err().field, "frame_rate_hz");
+        }
+        let decisions = Decisions { frame_rate_hz: Some(60.0), ..Decisions::default() };
+        assert_eq!(decisions.validate(), Ok(()));
+    }
+}

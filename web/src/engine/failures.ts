@@ -1,0 +1,27 @@
+/**
+ * Failures that are about the engine, an archive or the disk, not about a place in a file.
+ */
+import type { Failure } from './types';
+
+/** Every kind of them; those of reading and analysis are named in the core. */
+export const ENGINE_FAILURES = [
+  'archive-damaged',
+  'archive-entry-encrypted',
+  'archive-entry-method',
+  'archive-too-large',
+  'archive-without-motions',
+  'changed-on-disk',
+  'engine-unavailable',
+  'not-an-archive',
+  'not-open',
+  'not-readable',
+  'out-of-memory',
+  'worker-died',
+] as const;
+
+export type EngineFailureKind = (typeof ENGINE_FAILURES)[number];
+
+/** A failure of one of these kinds. */
+export function failureOf(kind: EngineFailureKind, ...details: string[]): Failure {
+  return { kind, line: null, column: null, details };
+}

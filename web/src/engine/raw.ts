@@ -1,0 +1,202 @@
+/**
+ * The only file that imports the generated WebAssembly bindings; the rest of the engine sees the
+ * types of this one. Positions and numbers come out as copies that JavaScript owns.
+ */
+import init, { ClipHandle, Digest, initSync, sampleBvh, sampleCatalogue } from './generated/motion_wasm';
+import type {
+  ClipResult,
+  Decisions,
+  ExportKind,
+  Failure,
+  KeyposeResult,
+  MethodOptions,
+  Note,
+  PerformerResult,
+  SampleInfo,
+} from './types';
+
+/** A failure that the core has found in a file or an option. */
+export class CoreFailure extends Error {
+  readonly failure: Failure;
+
+  constructor(failure: Failure) {
+    super(failure.kind);
+    this.name = 'CoreFailure';
+    this.failure = failure;
+  }
+}
+
+/** The core, ready for work. */
+export interface Core {
+  /** A clip of its own; whoever makes it frees it, once. */
+  newClip(): CoreClip;
+  /** The SHA-256 of the bytes pushed. */
+  newDigest(): CoreDigest;
+  readonly samples: readonly SampleInfo[];
+  /** The bytes of a sample, or null where none has that id. */
+  sample(id: string): Uint8Array<ArrayBuffer> | null;
+  /** Bytes of the WebAssembly memory; it never shrinks. */
+  memoryBytes(): number;
+}
+
+export interface CoreDigest {
+  push(bytes: Uint8Array): void;
+  /** In hexadecimal; frees the digest. */
+  finish(): string;
+}
+
+/** One clip in the memory of the core. */
+export interface CoreClip {
+  /** Begins to read a file of so many bytes; what was read before stays until `endReading`. */
+  beginReading(totalBytes: number): void;
+  push(bytes: Uint8Array): void;
+  endReading(): void;
+  /** Makes ready to analyse what was read. */
+  beginAnalysis(decisions: Decisions, options: MethodOptions): void;
+  /** A few milliseconds of work. Returns the part done; 1 when the result is there. */
+  step(): number;
+  result(): ClipResult;
+  poses(performer: number, frames: Int32Array): Float32Array<ArrayBuffer>;
+  poseRange(performer: number, firstFrame: number, count: number): Float32Array<ArrayBuffer>;
+  report(kind: ExportKind, fileName: string, sha256: string): string;
+  /** Whether poses can be had. */
+  hasMotion(): boolean;
+  motionBytes(): number;
+  /** Frees the motion; results stay. */
+  dropMotion(): void;
+  free(): void;
+}
+
+/** Loads the module: from beside the page, or from the bytes given. */
+export async function loadCore(wasm?: Uint8Array<ArrayBuffer>): Promise<Core> {
+  const { memory } = wasm === undefined ? await init() : initSync({ module: wasm });
+  return {
+    newClip: () => new WasmClip(),
+    newDigest: () => newDigest(),
+    samples: JSON.parse(sampleCatalogue()) as SampleInfo[],
+    sample: (id) => (sampleBvh(id) as Uint8Array<ArrayBuffer> | undefined) ?? null,
+    memoryBytes: () => memory.buffer.byteLength,
+  };
+}
+
+function newDigest(): CoreDigest {
+  const digest = new Digest();
+  return { push: (bytes) => digest.push(bytes), finish: () => digest.finish() };
+}
+
+/** Runs a call into the core; what it throws on purpose is a failure written as JSON. */
+function refusing<T>(call: () => T): T {
+  try {
+    return call();
+  } catch (error) {
+    if (error instanceof Error && error.message.startsWith('{')) {
+      throw new CoreFailure(JSON.parse(error.message) as Failure);
+    }
+    throw error;
+  }
+}
+
+class WasmClip implements CoreClip {
+  private readonly handle = new ClipHandle();
+
+  beginReading(totalBytes: number): void {
+    refusing(() => this.handle.beginReading(totalBytes));
+  }
+
+  push(bytes: Uint8Array): void {
+    refusing(() => this.handle.push(bytes));
+  }
+
+  endReading(): void {
+    refusing(() => this.handle.endReading());
+  }
+
+  beginAnalysis(decisions: Decisions, options: MethodOptions): void {
+    refusing(() => this.handle.beginAnalysis(decisions, options));
+  }
+
+  step(): number {
+    return refusing(() => this.handle.step());
+  }
+
+  result(): ClipResult {
+    const { handle } = this;
+    const summary = JSON.parse(refusing(() => handle.summary())) as ClipSummary;
+    const performers = summary.performers.map((one, index) => performerOf(handle, one, index));
+    return { ...summary, performers };
+  }
+
+  poses(performer: number, frames: Int32Array): Float32Array<ArrayBuffer> {
+    return refusing(() => this.handle.poses(performer, frames)) as Float32Array<ArrayBuffer>;
+  }
+
+  poseRange(performer: number, firstFrame: number, count: number): Float32Array<ArrayBuffer> {
+    const poses = refusing(() => this.handle.poseRange(performer, firstFrame, count));
+    return poses as Float32Array<ArrayBuffer>;
+  }
+
+  report(kind: ExportKind, fileName: string, sha256: string): string {
+    return refusing(() => this.handle.report(kind, fileName, sha256));
+  }
+
+  hasMotion(): boolean {
+    return this.handle.hasMotion();
+  }
+
+  motionBytes(): number {
+    return this.handle.motionBytes();
+  }
+
+  dropMotion(): void {
+    this.handle.dropMotion();
+  }
+
+  free(): void {
+    this.handle.free();
+  }
+}
+
+/** What the core says of a clip in words and single numbers; the series come as arrays of their own. */
+interface ClipSummary extends Omit<ClipResult, 'performers'> {
+  readonly notes: readonly Note[];
+  readonly performers: readonly PerformerSummary[];
+}
+
+interface PerformerSummary extends Omit<PerformerResult, 'skeleton' | 'feature' | 'keyposes'> {
+  readonly labels: readonly string[];
+  readonly keyposes: KeyposeSummary | null;
+}
+
+interface KeyposeSummary
+  extends Pick<KeyposeResult, 'firstFrame' | 'maximumSpeed' | 'clusters' | 'anova' | 'cut'> {
+  /** null: nothing of weight was dropped. */
+  readonly sureness: number | null;
+}
+
+function performerOf(handle: ClipHandle, summary: PerformerSummary, index: number): PerformerResult {
+  const { labels, keyposes, ...rest } = summary;
+  const feature = handle.feature(index);
+  return {
+    ...rest,
+    skeleton: { labels, parents: handle.parents(index), endSites: handle.endSites(index) },
+    keyposes: keyposes === null ? null : keyposesOf(handle, keyposes, index),
+    feature: feature.length === 0 ? null : feature,
+  };
+}
+
+function keyposesOf(handle: ClipHandle, summary: KeyposeSummary, index: number): KeyposeResult {
+  return {
+    ...summary,
+    sureness: summary.sureness ?? Number.POSITIVE_INFINITY,
+    speed: handle.speed(index),
+    trend: handle.trend(index),
+    scalesHz: handle.scalesHz(index),
+    candidates: handle.candidates(index),
+    intensities: handle.intensities(index),
+    traceOffsets: handle.traceOffsets(index),
+    traceScales: handle.traceScales(index),
+    traceFrames: handle.traceFrames(index),
+    traceIntensities: handle.traceIntensities(index),
+    keyposes: handle.keyposes(index),
+  };
+}
