@@ -2,31 +2,18 @@
 
 use nalgebra::Vector3;
 
-use crate::skeleton::Axis;
 use crate::track::PelvisTrack;
 use crate::world::Up;
 
 /// Yaws that are tried over half a turn.
 const YAWS: usize = 24;
 
-/// The direction to the right on the picture at yaw 0 and at a quarter turn, seen level: a
-/// yaw turns counter-clockwise about up, from +X for ±Y and ±Z up, from +Y for ±X.
-fn level_axes(up: Up) -> [Vector3<f64>; 2] {
-    let mut along = Vector3::zeros();
-    along[up.axis.index()] = up.sign();
-    let right = match up.axis {
-        Axis::X => Vector3::y(),
-        Axis::Y | Axis::Z => Vector3::x(),
-    };
-    [right, along.cross(&right)]
-}
-
 /// The yaw, in radians from 0 to below π, from which the outlines of `poses` are widest in sum.
 ///
 /// Each pose is x, y, z of one joint after the other in the world. Of equally wide yaws the
 /// smallest.
 pub fn widest_side_yaw(poses: &[&[f64]], up: Up) -> f64 {
-    let [right, quarter] = level_axes(up);
+    let [right, quarter] = up.level_axes();
     let mut best = (0.0, f64::NEG_INFINITY);
     for step in 0..YAWS {
         let yaw = core::f64::consts::PI * step as f64 / YAWS as f64;

@@ -17,6 +17,7 @@
 //! The crate knows no browser, no file and no clock; every number is an `f64`, and the same
 //! input gives the same bits on every platform.
 
+pub mod analysis;
 pub mod body;
 pub mod bvh;
 pub mod clip;
@@ -27,6 +28,7 @@ pub mod hodrick_prescott;
 pub mod keypose;
 pub mod kinematics;
 pub mod note;
+pub mod report;
 pub mod rest;
 pub mod skeleton;
 pub mod speed;

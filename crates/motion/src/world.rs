@@ -1,5 +1,7 @@
 //! The world around the body: the up axis, the ground and the unit of length, from the motion.
 
+use nalgebra::Vector3;
+
 use crate::body::PoseTable;
 use crate::skeleton::Axis;
 
@@ -34,6 +36,52 @@ impl Up {
     /// 1 or −1.
     pub fn sign(self) -> f64 {
         if self.is_negative { -1.0 } else { 1.0 }
+    }
+
+    /// Every up axis.
+    pub const ALL: [Up; 6] = [
+        Up {
+            axis: Axis::X,
+            is_negative: false,
+        },
+        Up {
+            axis: Axis::X,
+            is_negative: true,
+        },
+        Up {
+            axis: Axis::Y,
+            is_negative: false,
+        },
+        Up {
+            axis: Axis::Y,
+            is_negative: true,
+        },
+        Up {
+            axis: Axis::Z,
+            is_negative: false,
+        },
+        Up {
+            axis: Axis::Z,
+            is_negative: true,
+        },
+    ];
+
+    /// The up axis of that name.
+    pub fn from_name(name: &str) -> Option<Up> {
+        Self::ALL.into_iter().find(|up| up.name() == name)
+    }
+
+    /// Two level axes, the second a quarter turn counter-clockwise about up from the first. A viewer
+    /// at yaw ψ has first · cos ψ + second · sin ψ to the right and stands on the side
+    /// first · sin ψ − second · cos ψ. The first is +X for ±Y and ±Z up, ∓Y for ±X.
+    pub fn level_axes(self) -> [Vector3<f64>; 2] {
+        let mut along = Vector3::zeros();
+        along[self.axis.index()] = self.sign();
+        let first = match self.axis {
+            Axis::X => -self.sign() * Vector3::y(),
+            Axis::Y | Axis::Z => Vector3::x(),
+        };
+        [first, along.cross(&first)]
     }
 
     /// Its name, e.g. `+Y`.

@@ -140,9 +140,9 @@ export interface PerformerResult {
   readonly feature: Float64Array | null
   /** The most unusual keypose (or frame) for the thumbnail. */
   readonly thumbnailFrame: number
-  /** Yaw about the up axis, radians, that shows the clip's figures from their widest side. */
+  /** Yaw of a viewer (radians, as in figure/up-frame.ts) who sees the figures' widest side. */
   readonly sideYawRad: number
-  /** Mean facing direction of the pelvis about the up axis, radians, for the preset "Front". */
+  /** Yaw of a viewer whom the pelvis faces in the mean, radians, for the preset "Front". */
   readonly frontYawRad: number
   readonly notes: readonly Note[]
 }

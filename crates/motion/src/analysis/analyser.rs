@@ -39,16 +39,21 @@ impl Analyser {
         let next = Settings {
             decisions: *decisions,
             options: *options,
-            frame_rate_hz: decisions.frame_rate_hz.unwrap_or_else(|| clip.frame_rate_hz()),
+            frame_rate_hz: decisions
+                .frame_rate_hz
+                .unwrap_or_else(|| clip.frame_rate_hz()),
         };
         self.frame_time_s = user_s.unwrap_or(clip.frame_time_s);
         self.frame_time_source = Some(match user_s {
             Some(_) => Source::User,
             None => found_or_default(clip),
         });
-        self.runs.resize_with(clip.performers.len(), PerformerRun::default);
+        self.runs
+            .resize_with(clip.performers.len(), PerformerRun::default);
         if let Some(last) = self.settings.replace(next) {
-            self.runs.iter_mut().for_each(|run| run.change(&last, &next));
+            self.runs
+                .iter_mut()
+                .for_each(|run| run.change(&last, &next));
         }
         Ok(())
     }

@@ -1,4 +1,4 @@
-//! Which way a performer faces: its poses go in, the mean direction of its pelvis comes out.
+//! Which way a performer faces: its poses go in, the yaw of a viewer in front of it comes out.
 
 use nalgebra::Vector3;
 
@@ -10,8 +10,8 @@ use crate::world::Up;
 /// Frames, evenly spaced, that are looked at.
 const SAMPLED_FRAMES: usize = 200;
 
-/// The direction of the pelvis frame's z axis, forward, in the mean over the motion: radians about
-/// `up` from its first level axis towards its second. 0 without a level direction.
+/// The yaw (see [`Up::level_axes`]), in radians, of a viewer towards whom the pelvis frame's z axis,
+/// forward, points in the mean over the motion. 0 without a level direction.
 pub fn front_yaw_rad(clip: &Clip, performer: usize, frame: &PelvisFrame, up: Up) -> f64 {
     let kinematics = Kinematics::new(clip, performer);
     let mut pose = vec![WorldFromJoint::default(); kinematics.joint_count()];
@@ -22,5 +22,9 @@ pub fn front_yaw_rad(clip: &Clip, performer: usize, frame: &PelvisFrame, up: Up)
         sum += pose[frame.pelvis].rotation * forward;
     }
     let [first, second] = up.level_axes();
-    libm::atan2(sum.dot(&second), sum.dot(&first))
+    let (sine, cosine) = (sum.dot(&first), -sum.dot(&second));
+    match sine == 0.0 && cosine == 0.0 {
+        true => 0.0,
+        false => libm::atan2(sine, cosine),
+    }
 }

@@ -17,7 +17,7 @@ use crate::body::Body;
 use crate::clip::Clip;
 use crate::keypose::{Extraction, Options};
 use crate::note::Note;
-use crate::rest::RestReason;
+use crate::rest::LeadingRest;
 use crate::world::{Unit, Up};
 
 /// What was found in one clip.
@@ -44,10 +44,8 @@ pub struct PerformerAnalysis {
     pub ground_height: f64,
     /// The unit of length and where it is from; none if unknown.
     pub unit: Option<(Unit, Source)>,
-    /// How many frames before the motion were left out.
-    pub leading_rest_frames: usize,
-    /// Why they were.
-    pub leading_rest_reason: LeadingRestReason,
+    /// How many frames before the motion were left out, and why.
+    pub leading_rest: LeadingRest,
     /// Keyposes and what leads to them, or why there are none.
     pub keyposes: Result<KeyposeAnalysis, Note>,
     /// Means and standard deviations of the posture variation, in squared body heights; none
@@ -58,21 +56,10 @@ pub struct PerformerAnalysis {
     /// The yaw from which the figures of the keyposes are widest, see
     /// [`crate::figure::widest_side_yaw`].
     pub side_yaw_rad: f64,
-    /// The direction in which the pelvis faces in the mean, as an angle of the same kind.
+    /// The yaw, of the same kind, of a viewer whom the pelvis faces in the mean.
     pub front_yaw_rad: f64,
     /// What was assumed and found out of the ordinary.
     pub notes: Vec<Note>,
-}
-
-/// Why leading frames were left out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LeadingRestReason {
-    /// None were.
-    None,
-    /// Found in the motion.
-    Found(RestReason),
-    /// A person says so.
-    User,
 }
 
 /// Keyposes and the series that lead to them.
@@ -91,8 +78,18 @@ pub struct KeyposeAnalysis {
 impl KeyposeAnalysis {
     /// Frames of the file of the keyposes, ascending.
     pub fn keyposes(&self) -> Vec<usize> {
-        let keyposes = self.extraction.keyposes();
-        keyposes.into_iter().map(|frame| self.first_frame + frame).collect()
+        self.rows().map(|(frame, _)| frame).collect()
+    }
+
+    /// Frame of the file and intensity of each keypose, in time order.
+    pub fn rows(&self) -> impl Iterator<Item = (usize, f64)> {
+        let extraction = &self.extraction;
+        extraction.selection.kept.iter().map(|&index| {
+            (
+                self.first_frame + extraction.candidates[index],
+                extraction.intensity[index],
+            )
+        })
     }
 }
 

@@ -83,7 +83,10 @@ impl PerformerRun {
 
     /// Bytes that the poses take.
     pub fn motion_bytes(&self) -> usize {
-        let track = self.track.as_ref().map_or(0, |track| track.coordinates.capacity());
+        let track = self
+            .track
+            .as_ref()
+            .map_or(0, |track| track.coordinates.capacity());
         (track + self.table.joints.capacity()) * size_of::<f64>()
     }
 
@@ -165,7 +168,7 @@ impl PerformerRun {
             self.table = PoseTable::default();
         } else {
             let table = core::mem::take(&mut self.table);
-            let track = table.into_track(&placement.frame, placement.leading_rest_frames);
+            let track = table.into_track(&placement.frame, placement.leading_rest.frames);
             self.jumps = discontinuity::find(&track);
             let has_feature = body.is_human() && track.frames() > 0;
             self.feature = has_feature.then(|| posture_variation(&track));
@@ -218,18 +221,28 @@ impl PerformerRun {
         performer: usize,
         settings: &Settings,
     ) -> Option<PerformerAnalysis> {
-        let (body, placement, track) = (self.body.clone()?, self.placement.as_ref()?, self.track.as_ref()?);
+        let (body, placement, track) = (
+            self.body.clone()?,
+            self.placement.as_ref()?,
+            self.track.as_ref()?,
+        );
         let keyposes = self.keyposes(clip, track);
-        let frames = keyposes.as_ref().map(KeyposeAnalysis::keyposes).unwrap_or_default();
+        let frames = keyposes
+            .as_ref()
+            .map(KeyposeAnalysis::keyposes)
+            .unwrap_or_default();
         let thumbnail_frame = figure::thumbnail_frame(track, &frames).unwrap_or(0);
-        let pictured = if frames.is_empty() { &[thumbnail_frame][..] } else { &frames };
+        let pictured = if frames.is_empty() {
+            &[thumbnail_frame][..]
+        } else {
+            &frames
+        };
         let unit = placement.unit(&body, &settings.decisions);
         Some(PerformerAnalysis {
             height: placement.frame.height,
             up: placement.up,
             ground_height: placement.ground_height,
-            leading_rest_frames: placement.leading_rest_frames,
-            leading_rest_reason: placement.leading_rest_reason,
+            leading_rest: placement.leading_rest,
             feature: self.feature,
             thumbnail_frame,
             side_yaw_rad: side_yaw_rad(clip, performer, pictured, placement),
@@ -249,8 +262,11 @@ impl PerformerRun {
                 trend: self.trend.clone(),
                 extraction: extraction.clone(),
             }),
-            _ if clip.frames < 2 => Err(Note::new(NoteKind::NoMotion, Vec::new())),
-            _ => Err(Note::new(NoteKind::TooShort, vec![track.frames().to_string()])),
+            _ if clip.frames == 0 => Err(Note::new(NoteKind::NoMotion, Vec::new())),
+            _ => Err(Note::new(
+                NoteKind::TooShort,
+                vec![track.frames().to_string()],
+            )),
         }
     }
 
@@ -271,9 +287,16 @@ impl PerformerRun {
             let details = vec![settings.options.low_pass_hz.to_string()];
             notes.push(Note::new(NoteKind::LowPassLeftOut, details));
         }
-        if let Some(extraction) = self.extraction.as_ref().filter(|one| one.scales_left_out > 0) {
+        if let Some(extraction) = self
+            .extraction
+            .as_ref()
+            .filter(|one| one.scales_left_out > 0)
+        {
             let finest = extraction.scales_hz.first().map(|hz| format!("{hz:.2}"));
-            notes.push(Note::new(NoteKind::ScalesLeftOut, finest.into_iter().collect()));
+            notes.push(Note::new(
+                NoteKind::ScalesLeftOut,
+                finest.into_iter().collect(),
+            ));
         }
         notes
     }

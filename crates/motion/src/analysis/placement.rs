@@ -1,12 +1,12 @@
 //! Where the body stands: the poses of one performer go in; its pelvis frame, the world around it
 //! and the frames to leave out come out.
 
+use super::facing;
 use super::settings::{Decisions, Source};
-use super::{LeadingRestReason, facing};
 use crate::body::{Body, PelvisFrame, PoseTable};
 use crate::clip::Clip;
 use crate::note::{Note, NoteKind};
-use crate::rest::{self, LeadingRest};
+use crate::rest::{self, LeadingRest, RestReason};
 use crate::world::{self, Unit, Up};
 
 /// What is known of one performer before its speed.
@@ -15,8 +15,7 @@ pub struct Placement {
     pub frame: PelvisFrame,
     pub up: (Up, Source),
     pub ground_height: f64,
-    pub leading_rest_frames: usize,
-    pub leading_rest_reason: LeadingRestReason,
+    pub leading_rest: LeadingRest,
     pub front_yaw_rad: f64,
     pub notes: Vec<Note>,
 }
@@ -32,14 +31,13 @@ impl Placement {
     ) -> Self {
         let whole = PelvisFrame::new(clip, performer, body, table, 0);
         let rest = leading_rest(body, table, &whole, decisions);
-        let left_out = rest.frames.min(clip.frames);
-        let frame = match left_out {
+        let frame = match rest.frames {
             0 => whole,
-            _ => PelvisFrame::new(clip, performer, body, table, left_out),
+            _ => PelvisFrame::new(clip, performer, body, table, rest.frames),
         };
         let up = up(table, decisions);
         let mut notes = frame.notes.clone();
-        notes.extend(rest.note);
+        notes.extend(rest.note());
         if up.1 == Source::Default {
             notes.push(Note::new(NoteKind::UpAssumed, Vec::new()));
         }
@@ -47,8 +45,7 @@ impl Placement {
             ground_height: world::ground_height(table, up.0),
             front_yaw_rad: facing::front_yaw_rad(clip, performer, &frame, up.0),
             up,
-            leading_rest_frames: left_out,
-            leading_rest_reason: rest.reason,
+            leading_rest: rest,
             frame,
             notes,
         }
@@ -56,16 +53,14 @@ impl Placement {
 
     /// The unit of length by the body height, unless a person says another.
     pub fn unit(&self, body: &Body, decisions: &Decisions) -> Option<(Unit, Source)> {
-        let found = || body.is_human().then(|| world::unit(self.frame.height)).flatten();
+        let found = || {
+            body.is_human()
+                .then(|| world::unit(self.frame.height))
+                .flatten()
+        };
         let user = decisions.unit.map(|unit| (unit, Source::User));
         user.or_else(|| found().map(|unit| (unit, Source::Found)))
     }
-}
-
-struct Rest {
-    frames: usize,
-    reason: LeadingRestReason,
-    note: Option<Note>,
 }
 
 fn leading_rest(
@@ -73,19 +68,17 @@ fn leading_rest(
     table: &PoseTable,
     frame: &PelvisFrame,
     decisions: &Decisions,
-) -> Rest {
+) -> LeadingRest {
     if let Some(frames) = decisions.leading_rest_frames {
-        let note = Note::new(NoteKind::LeadingByHand, vec![frames.to_string()]);
-        return Rest { frames, reason: LeadingRestReason::User, note: Some(note) };
+        let frames = frames.min(table.frames());
+        return LeadingRest {
+            frames,
+            reason: Some(RestReason::ByHand),
+        };
     }
     let start = table.first_track(frame, rest::FRAMES_LOOKED_AT);
     let is_human = body.is_human() && !frame.is_root;
-    let found: LeadingRest = rest::leading_rest_frames(&start, table.frames(), is_human);
-    Rest {
-        frames: found.frames,
-        reason: found.reason.map_or(LeadingRestReason::None, LeadingRestReason::Found),
-        note: found.note(),
-    }
+    rest::leading_rest_frames(&start, table.frames(), is_human)
 }
 
 fn up(table: &PoseTable, decisions: &Decisions) -> (Up, Source) {

@@ -53,7 +53,11 @@ pub struct SettingsError {
 
 impl fmt::Display for SettingsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} is {}; expected {}", self.field, self.found, self.expected)
+        write!(
+            f,
+            "{} is {}; expected {}",
+            self.field, self.found, self.expected
+        )
     }
 }
 
@@ -93,10 +97,16 @@ mod tests {
     #[test]
     fn a_wrong_rate_is_named() {
         for hz in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            let decisions = Decisions { frame_rate_hz: Some(hz), ..Decisions::default() };
+            let decisions = Decisions {
+                frame_rate_hz: Some(hz),
+                ..Decisions::default()
+            };
             assert_eq!(decisions.validate().unwrap_err().field, "frame_rate_hz");
         }
-        let decisions = Decisions { frame_rate_hz: Some(60.0), ..Decisions::default() };
+        let decisions = Decisions {
+            frame_rate_hz: Some(60.0),
+            ..Decisions::default()
+        };
         assert_eq!(decisions.validate(), Ok(()));
     }
 }

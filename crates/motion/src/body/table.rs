@@ -133,6 +133,15 @@ impl<'a> TableBuilder<'a> {
         }
     }
 
+    /// The same builder with the frames that an earlier one has put into `table`.
+    #[must_use]
+    pub fn resume(mut self, table: PoseTable) -> Self {
+        if table.joint_count == self.table.joint_count {
+            self.table = table;
+        }
+        self
+    }
+
     /// Frames not yet in the table.
     pub fn frames_left(&self) -> usize {
         self.kinematics.frames() - self.table.frames()
