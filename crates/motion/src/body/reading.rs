@@ -63,7 +63,7 @@ fn strip_shared_prefix(all: &mut [Tokens]) -> bool {
     };
     for tokens in all {
         if tokens.words.first().is_some_and(|word| word.text == prefix) {
-            tokens.words.remove(0);
+            tokens.drop_first();
         }
     }
     true
@@ -89,7 +89,12 @@ fn read_one(tokens: Tokens, name: &str) -> Reading {
     let mut words = tokens.words;
     let side = tokens::take_side(&mut words);
     let mut texts: Vec<String> = words.into_iter().map(|word| word.text).collect();
-    let stem = format!("{}{:?}", texts.concat(), tokens.numbers);
+    let numbers: Vec<u32> = tokens
+        .numbers
+        .into_iter()
+        .map(|(_, number)| number)
+        .collect();
+    let stem = format!("{}{numbers:?}", texts.concat());
     let is_tip = texts
         .iter()
         .any(|text| names::TIPS.contains(&text.as_str()));
@@ -104,7 +109,7 @@ fn read_one(tokens: Tokens, name: &str) -> Reading {
         is_animal: has(names::ANIMAL) && !has(names::COSTUME),
         side,
         word,
-        numbers: tokens.numbers,
+        numbers,
         stem,
         is_tip,
     }

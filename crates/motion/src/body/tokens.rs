@@ -17,8 +17,19 @@ pub struct Token {
 pub struct Tokens {
     /// The words.
     pub words: Vec<Token>,
-    /// The numbers between them (at most 999 999 each).
-    pub numbers: Vec<u32>,
+    /// The numbers between them (at most 999 999 each), each after how many words.
+    pub numbers: Vec<(usize, u32)>,
+}
+
+impl Tokens {
+    /// Takes the first word off, and the number that is part of it (`Bip01`).
+    pub fn drop_first(&mut self) {
+        if !self.words.is_empty() {
+            self.words.remove(0);
+            self.numbers.retain(|(words, _)| *words > 1);
+            self.numbers.iter_mut().for_each(|(words, _)| *words -= 1);
+        }
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -66,7 +77,7 @@ pub fn split(name: &str) -> Tokens {
         let run = &letters[start..end];
         match class(letters[start]) {
             Class::Separator => {}
-            Class::Digit => tokens.numbers.push(number(run)),
+            Class::Digit => tokens.numbers.push((tokens.words.len(), number(run))),
             _ => tokens.words.extend(side_and_rest(
                 &run.iter().collect::<String>().to_lowercase(),
                 letters.get(end).is_some_and(char::is_ascii_digit),
@@ -212,8 +223,8 @@ mod tests {
         assert_eq!(words("Bip01 L Thigh"), ["bip", "l", "thigh"]);
         assert_eq!(words("左足ＩＫ"), ["左", "足", "ik"]);
         assert_eq!(words("SHOULDER_LEFT"), ["shoulder", "left"]);
-        assert_eq!(split("finger3-1.l").numbers, [3, 1]);
-        assert_eq!(split("左中指３").numbers, [3]);
+        assert_eq!(split("finger3-1.l").numbers, [(1, 3), (1, 1)]);
+        assert_eq!(split("左中指３").numbers, [(2, 3)]);
     }
 
     #[test]
