@@ -7,6 +7,9 @@ use crate::clip::Clip;
 use crate::kinematics::Kinematics;
 use crate::note::{Note, NoteKind};
 
+/// The cosine below which toes point backwards.
+const BACKWARDS: f64 = -0.5;
+
 /// `body` with a note if it is mirrored in most of every `step`-th frame.
 pub fn noted(clip: &Clip, performer: usize, mut body: Body, step: usize) -> Body {
     let mut kinematics = Kinematics::new(clip, performer);
@@ -26,7 +29,7 @@ pub fn noted(clip: &Clip, performer: usize, mut body: Body, step: usize) -> Body
     body
 }
 
-/// Whether toes and knees both point backwards.
+/// Whether the knees point backwards and the toes clearly so: within 60° of it.
 fn is_swapped(body: &Body, positions: &[f64]) -> Option<bool> {
     let at = |role: Role| -> Option<Vector3<f64>> {
         let joint = body.joint(role)?;
@@ -37,9 +40,13 @@ fn is_swapped(body: &Body, positions: &[f64]) -> Option<bool> {
     let (left, right) = (at(Role::LeftHip)?, at(Role::RightHip)?);
     let up = at(Role::Neck)? - (left + right) / 2.0;
     let forward = (left - right).cross(&up);
-    let toes =
-        at(Role::LeftToe)? - at(Role::LeftAnkle)? + at(Role::RightToe)? - at(Role::RightAnkle)?;
-    let knees = at(Role::LeftKnee)? - (left + at(Role::LeftAnkle)?) / 2.0 + at(Role::RightKnee)?
-        - (right + at(Role::RightAnkle)?) / 2.0;
-    Some(toes.dot(&forward) < 0.0 && knees.dot(&forward) < 0.0)
+    let ankles = at(Role::LeftAnkle)? + at(Role::RightAnkle)?;
+    let toes = at(Role::LeftToe)? + at(Role::RightToe)? - ankles;
+    let knees = at(Role::LeftKnee)? + at(Role::RightKnee)? - (left + right + ankles) / 2.0;
+    let along = toes.dot(&forward);
+    Some(
+        along < 0.0
+            && along <= BACKWARDS * toes.norm() * forward.norm()
+            && knees.dot(&forward) < 0.0,
+    )
 }
