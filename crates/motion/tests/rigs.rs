@@ -9,7 +9,10 @@ use std::path::Path;
 
 use motion::body::{self, Role, TableBuilder};
 use motion::clip::Clip;
+use motion::feature::posture_variation;
+use motion::keypose::{Options, extract};
 use motion::rest::{self, Analysed};
+use motion::speed::motion_speed;
 use motion::world;
 use serde_json::Value;
 
@@ -162,4 +165,93 @@ fn pelvis_coordinates_and_height_of_the_golden_clips() {
             }
         }
     }
+}
+
+/// The file's answer for each role, as overrides.
+fn named_joints(path: &Path, rig: &Value) -> Vec<(Role, usize)> {
+    let clip = motion::bvh::parse(&fs::read(path).expect("a readable file")).expect("a motion");
+    let labels = clip.performers[0].skeleton.labels();
+    let joint = |role: &Role| {
+        let name = rig["body"][role.name()].as_str()?;
+        labels.iter().position(|label| label == name)
+    };
+    let roles = Role::ALL.iter();
+    roles
+        .map(|role| (*role, joint(role).expect("a joint of that name")))
+        .collect()
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    let list = value.as_array().expect("a list").iter();
+    list.map(|number| number.as_f64().expect("a number"))
+        .collect()
+}
+
+/// The largest difference over the largest value; infinite where the lengths differ.
+fn difference(ours: &[f64], expected: &[f64]) -> f64 {
+    if ours.len() != expected.len() {
+        return f64::INFINITY;
+    }
+    let largest = expected
+        .iter()
+        .fold(f64::MIN_POSITIVE, |most, value| most.max(value.abs()));
+    let pairs = ours.iter().zip(expected);
+    pairs
+        .map(|(ours, expected)| (ours - expected).abs())
+        .fold(0.0, f64::max)
+        / largest
+}
+
+/// Everything from the bytes of a file to its keyposes, with the joints that `golden` names.
+fn compare_all(name: &str, found: &Found, golden: &Value, wrong: &mut Vec<String>) {
+    let Analysed { track, .. } = &found.analysed;
+    let rate_hz = found.clip.frame_rate_hz();
+    let speed = motion_speed(track, rate_hz, 10.0).values;
+    let keyposes = extract(&speed, rate_hz, &Options::default()).expect("valid options");
+    let in_file = |frames: &[usize]| -> Vec<f64> {
+        frames
+            .iter()
+            .map(|frame| (frame + track.first_frame) as f64)
+            .collect()
+    };
+    let figures = [
+        ("candidates", in_file(&keyposes.candidates), 0.0),
+        ("keyposes", in_file(&keyposes.keyposes()), 0.0),
+        ("intensity", keyposes.intensity.clone(), 1e-7),
+        ("feature", posture_variation(track).to_vec(), 1e-8),
+        ("speed", speed.clone(), 1e-9),
+    ];
+    for (field, ours, tolerance) in figures {
+        if golden[field].is_array() {
+            let difference = difference(&ours, &numbers(&golden[field]));
+            if difference > tolerance {
+                wrong.push(format!("{name}: {field} differs by {difference:e}"));
+            }
+        }
+    }
+}
+
+#[test]
+fn keyposes_and_features_of_the_rigs_from_their_bytes() {
+    let mut wrong = Vec::new();
+    for (path, rig) in rigs() {
+        if rig["candidates"].is_array() {
+            let found = analyse(&path, &named_joints(&path, &rig));
+            compare_all(&rig["file"].to_string(), &found, &rig, &mut wrong);
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn keyposes_and_features_of_the_golden_clips_from_their_bytes() {
+    let Some(folder) = support::data_folder() else {
+        return;
+    };
+    let mut wrong = Vec::new();
+    for (name, golden) in support::golden_clips() {
+        let found = analyse(&folder.join("cmu").join(format!("{name}.bvh")), &[]);
+        compare_all(&name, &found, &golden, &mut wrong);
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
