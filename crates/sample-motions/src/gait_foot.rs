@@ -1,0 +1,175 @@
+//! In: where and when a foot stands. Out: its ankle, tilt and toes at any time of a walk.
+//!
+//! A stance is three rockers: the heel strikes with the toes up and the foot comes down about the heel; it stands
+//! flat; it rises about the ball while the toes stay. A swing joins the ends of two stances with equal position,
+//! velocity and acceleration.
+
+use crate::body::{ANKLE, BALL_FROM_ANKLE, HEEL_FROM_ANKLE};
+use crate::quintic::{End, Quintic, detour};
+use crate::rotation::about_x;
+use nalgebra::Vector3;
+
+const STRIKE_PITCH: f64 = -0.30;
+const STRIKE_PITCH_RATE: f64 = 1.6;
+const HEEL_ROCKER_S: f64 = 0.11;
+const FOREFOOT_ROCKER_S: f64 = 0.30;
+/// Tilt per second as the toes leave, as a multiple of the tilt.
+const OFF_PITCH_RATE: f64 = 5.5;
+/// The mid-swing rise of the ankle above the joining curve, in body heights.
+const SWING_LIFT: f64 = 0.034;
+const DIFFERENCE_S: f64 = 1e-3;
+
+/// A time on the ground.
+#[derive(Clone, Copy, Debug)]
+pub struct Stance {
+    /// Heel strike; before the clip for a foot that stands at its start.
+    pub strike_s: f64,
+    pub off_s: f64,
+    /// The ankle's place while the foot is flat.
+    pub x: f64,
+    pub z: f64,
+    /// Tilt as the toes leave, in radians.
+    pub off_pitch: f64,
+}
+
+/// Ankle in the world, tilt (positive: heel above toes) and bend of the toes, in radians.
+#[derive(Clone, Copy, Debug)]
+pub struct FootPlace {
+    pub ankle: Vector3<f64>,
+    pub pitch: f64,
+    pub toes_up: f64,
+}
+
+impl Stance {
+    fn pitch(&self, time_s: f64) -> f64 {
+        let flat_s = self.strike_s + HEEL_ROCKER_S;
+        let rise_s = self.off_s - FOREFOOT_ROCKER_S;
+        if time_s < flat_s {
+            let strike = End::moving(STRIKE_PITCH, STRIKE_PITCH_RATE);
+            Quintic::new(self.strike_s, strike, flat_s, End::at_rest(0.0)).at(time_s)
+        } else if time_s > rise_s {
+            let off = End::moving(self.off_pitch, OFF_PITCH_RATE * self.off_pitch);
+            Quintic::new(rise_s, End::at_rest(0.0), self.off_s, off).at(time_s)
+        } else {
+            0.0
+        }
+    }
+
+    /// The foot as it stands; also a little before and after the stance.
+    fn place(&self, time_s: f64) -> FootPlace {
+        let pitch = self.pitch(time_s);
+        let pivot = if pitch < 0.0 {
+            HEEL_FROM_ANKLE
+        } else {
+            BALL_FROM_ANKLE
+        };
+        let flat = Vector3::new(self.x, ANKLE[1], self.z);
+        let ankle = flat + pivot - about_x(pitch) * pivot;
+        FootPlace {
+            ankle,
+            pitch,
+            toes_up: pitch.max(0.0),
+        }
+    }
+}
+
+/// A foot's stances in order of time.
+#[derive(Clone, Debug)]
+pub struct FootTrack {
+    pub stances: Vec<Stance>,
+}
+
+impl FootTrack {
+    pub fn place(&self, time_s: f64) -> FootPlace {
+        let next = self.stances.iter().position(|stance| stance.off_s > time_s);
+        let Some(next) = next else {
+            return self.stances[self.stances.len() - 1].place(time_s);
+        };
+        let to = &self.stances[next];
+        if time_s >= to.strike_s || next == 0 {
+            return to.place(time_s);
+        }
+        swing(&self.stances[next - 1], to, time_s)
+    }
+}
+
+fn swing(from: &Stance, to: &Stance, time_s: f64) -> FootPlace {
+    let join = |value: &dyn Fn(FootPlace) -> f64| {
+        let start = end_of(|t| value(from.place(t)), from.off_s);
+        let end = end_of(|t| value(to.place(t)), to.strike_s);
+        Quintic::new(from.off_s, start, to.strike_s, end).at(time_s)
+    };
+    let x = (time_s - from.off_s) / (to.strike_s - from.off_s);
+    let y = join(&|place| place.ankle.y) + SWING_LIFT * detour(x);
+    FootPlace {
+        ankle: Vector3::new(
+            join(&|place| place.ankle.x),
+            y,
+            join(&|place| place.ankle.z),
+        ),
+        pitch: join(&|place| place.pitch),
+        toes_up: join(&|place| place.toes_up),
+    }
+}
+
+fn end_of(value: impl Fn(f64) -> f64, time_s: f64) -> End {
+    let [before, position, after] =
+        [-DIFFERENCE_S, 0.0, DIFFERENCE_S].map(|step| value(time_s + step));
+    End {
+        position,
+        velocity: (after - before) / (2.0 * DIFFERENCE_S),
+        acceleration: (after - 2.0 * position + before) / (DIFFERENCE_S * DIFFERENCE_S),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::BALL;
+
+    fn track() -> FootTrack {
+        let stance = |strike_s: f64, z| Stance {
+            strike_s,
+            off_s: strike_s + 0.67,
+            x: 0.04,
+            z,
+            off_pitch: 1.0,
+        };
+        FootTrack {
+            stances: vec![stance(0.0, 0.0), stance(1.1, 0.8)],
+        }
+    }
+
+    #[test]
+    fn the_sole_stays_where_it_stands() {
+        for step in 0..=67 {
+            let place = track().place(f64::from(step) * 0.01);
+            let point = |p: Vector3<f64>| place.ankle + about_x(place.pitch) * p;
+            let (heel, ball) = (point(HEEL_FROM_ANKLE), point(BALL_FROM_ANKLE));
+            let pivot = if place.pitch < 0.0 {
+                heel.z + 0.028
+            } else {
+                ball.z - 0.078
+            };
+            assert!(pivot.abs() < 1e-12, "{pivot} at {step}");
+            assert!(heel.y > -1e-12 && ball.y > BALL[1] - 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_swing_is_smooth_and_clears_the_ground() {
+        let track = track();
+        let mut before = track.place(0.0).ankle;
+        for step in 1..=1500 {
+            let place = track.place(f64::from(step) * 1e-3);
+            assert!((place.ankle - before).norm() < 0.005, "jump at {step} ms");
+            let ball = place.ankle + about_x(place.pitch) * BALL_FROM_ANKLE;
+            assert!(
+                ball.y > BALL[1] - 1e-3,
+                "ball {} below the ground at {step} ms",
+                ball.y
+            );
+            before = place.ankle;
+        }
+    }
+}
