@@ -106,6 +106,7 @@ sentence_kinds! {
     RepeatedHierarchy "repeated-hierarchy" "A second HIERARCHY stands here; it was read as a further performer.";
     AlternatingRows "alternating-rows" "Rows are as wide as one performer and there are {0} for each frame; they were taken in turns.";
     FramesWithoutMotion "frames-without-motion" "“Frames:” stands without MOTION; the motion was taken to start here.";
+    MissingMotion "missing-motion" "MOTION is missing; the motion was taken to start at the first row of numbers.";
     MotionWithoutFrames "motion-without-frames" "MOTION has no “Frames:” line; the rows present were counted ({0}).";
     FrameCount "frame-count" "“Frames:” says {0}, {1} complete rows are present; the rows present were used.";
     IncompleteLastRow "incomplete-last-row" "The last row has {0} of {1} values; it was left out.";
@@ -127,6 +128,7 @@ sentence_kinds! {
     MissingBrace "missing-brace" "A closing brace is missing; the hierarchy was closed at {0}.";
     MissingHierarchy "missing-hierarchy" "The keyword HIERARCHY is missing; the file was read from its first ROOT.";
     UnknownLine "unknown-line" "A line was not understood and ignored: {0}";
+    FurtherNotes "further-notes" "{0} more notes of the kind “{1}” were left out.";
     NoMotion "no-motion" "The file has no motion; only the skeleton is shown.";
     TooShort "too-short" "{0} frames are too few to find keyposes.";
     NotHuman "not-human" "This is not a human body ({0}); all joints are analysed in root coordinates, and it is not compared with human motions.";

@@ -1,5 +1,7 @@
 //! The joints of one performer in one flat list, each parent before its children.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector3;
 
 /// A coordinate axis.
@@ -87,28 +89,45 @@ impl Skeleton {
 
     /// A name for each joint that tells it apart from all others: the name in the file, or the
     /// path `a/b/c` from the root where the name is not unique; an End Site is its parent's
-    /// label and `/end`.
+    /// label and `/end`. What would still be the same as a label before it gets `#2`, `#3` …
     pub fn labels(&self) -> Vec<String> {
         let mut labels: Vec<String> = Vec::with_capacity(self.joints.len());
-        let mut paths: Vec<String> = Vec::with_capacity(self.joints.len());
-        let unique = self.unique_names();
+        let mut distinct = Distinct::default();
+        let is_unique = self.unique_names();
+        for (joint, is_unique) in self.joints.iter().zip(&is_unique) {
+            if *is_unique {
+                distinct.reserve(&joint.name);
+            }
+        }
         for (index, joint) in self.joints.iter().enumerate() {
-            let path = match joint.parent {
-                Some(parent) => format!("{}/{}", paths[parent], joint.name),
-                None => joint.name.clone(),
-            };
             labels.push(match joint.parent {
-                Some(parent) if joint.is_end_site => format!("{}/end", labels[parent]),
-                _ if unique[index] => joint.name.clone(),
-                _ => path.clone(),
+                _ if is_unique[index] => joint.name.clone(),
+                Some(parent) if joint.is_end_site => {
+                    distinct.label(&format!("{}/end", labels[parent]))
+                }
+                _ => distinct.label(&self.path(index)),
             });
-            paths.push(path);
         }
         labels
     }
 
+    /// The names from the root to a joint; of a very long path its end.
+    fn path(&self, joint: usize) -> String {
+        const LONGEST: usize = 200;
+        let mut path = self.joints[joint].name.clone();
+        let mut next = self.joints[joint].parent;
+        while let Some(parent) = next {
+            if path.len() > LONGEST {
+                return format!("…/{path}");
+            }
+            path = format!("{}/{path}", self.joints[parent].name);
+            next = self.joints[parent].parent;
+        }
+        path
+    }
+
     fn unique_names(&self) -> Vec<bool> {
-        let mut counts = std::collections::BTreeMap::new();
+        let mut counts = BTreeMap::new();
         for joint in self.joints.iter().filter(|joint| !joint.is_end_site) {
             *counts.entry(joint.name.as_str()).or_insert(0_usize) += 1;
         }
@@ -116,6 +135,38 @@ impl Skeleton {
             .iter()
             .map(|joint| !joint.is_end_site && counts.get(joint.name.as_str()) == Some(&1))
             .collect()
+    }
+}
+
+/// Labels given so far.
+#[derive(Debug, Default)]
+struct Distinct {
+    /// Each label, and how often it was wanted.
+    given: BTreeMap<String, usize>,
+}
+
+impl Distinct {
+    /// Keeps a label from being given.
+    fn reserve(&mut self, label: &str) {
+        self.given.insert(label.to_owned(), 1);
+    }
+
+    /// `wanted`, or the first of `wanted#2`, `wanted#3` … that is not given.
+    fn label(&mut self, wanted: &str) -> String {
+        let mut number = self.given.get(wanted).copied().unwrap_or(0);
+        let label = loop {
+            number += 1;
+            let label = match number {
+                1 => wanted.to_owned(),
+                _ => format!("{wanted}#{number}"),
+            };
+            if !self.given.contains_key(&label) {
+                break label;
+            }
+        };
+        self.given.insert(wanted.to_owned(), number);
+        self.given.entry(label.clone()).or_insert(1);
+        label
     }
 }
 
@@ -151,10 +202,49 @@ mod tests {
             "Hips",
             "Hips/Leg",
             "Hips/Leg/end",
-            "Hips/Leg",
+            "Hips/Leg#2",
             "Head",
             "Head/end",
         ];
         assert_eq!(skeleton.labels(), expected);
+    }
+
+    #[test]
+    fn labels_differ_whatever_the_names() {
+        let skeleton = Skeleton {
+            joints: vec![
+                joint("a", None, false),
+                joint("b", Some(0), false),
+                joint("b", Some(0), false),
+                joint("a/b", Some(0), false),
+                joint("a/b#2", Some(0), false),
+                joint("", Some(1), true),
+                joint("tip", Some(1), true),
+                joint("b", Some(1), false),
+            ],
+        };
+        let expected = [
+            "a",
+            "a/b#3",
+            "a/b#4",
+            "a/b",
+            "a/b#2",
+            "a/b#3/end",
+            "a/b#3/end#2",
+            "a/b/b",
+        ];
+        assert_eq!(skeleton.labels(), expected);
+    }
+
+    #[test]
+    fn a_deep_chain_of_long_equal_names_has_short_labels() {
+        let name = "n".repeat(1000);
+        let joints = (0..10_000_usize).map(|index| joint(&name, index.checked_sub(1), false));
+        let skeleton = Skeleton {
+            joints: joints.collect(),
+        };
+        let labels: std::collections::BTreeSet<_> = skeleton.labels().into_iter().collect();
+        assert_eq!(labels.len(), 10_000);
+        assert!(labels.iter().all(|label| label.len() < 2100));
     }
 }

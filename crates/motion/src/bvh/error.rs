@@ -2,6 +2,7 @@
 
 use core::fmt;
 
+use super::place::Place;
 use crate::note::{fill, sentence_kinds};
 
 sentence_kinds! {
@@ -63,15 +64,6 @@ impl fmt::Display for ParseError {
 }
 
 impl core::error::Error for ParseError {}
-
-/// A place in a file; line and column count from 1, the column in characters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// The line.
-    pub line: usize,
-    /// The column.
-    pub column: usize,
-}
 
 /// What of a text is shown in a message: its beginning, without control characters.
 pub fn excerpt(text: &str) -> String {

@@ -1,14 +1,17 @@
-//! The header of the motion: the lines from MOTION to the first row go in, the frame count and
+//! The header of the motion: the lines from MOTION to the first row go in; the frame count and
 //! the frame time that they say come out.
 
-use super::error::{Place, excerpt};
+use super::error::excerpt;
 use super::frame_time;
+use super::notes::Notes;
+use super::number::{self, Mark};
+use super::place::Place;
 use crate::note::{Note, NoteKind};
 
 /// A value as the file says it.
 #[derive(Clone, Debug)]
 pub struct Said {
-    /// The text after the colon.
+    /// The word after the colon.
     pub text: String,
     /// The place of the keyword.
     pub place: Place,
@@ -17,14 +20,9 @@ pub struct Said {
 /// What the header says so far.
 #[derive(Debug, Default)]
 pub struct Header {
-    /// The place of MOTION.
-    pub motion: Option<Place>,
-    /// `Frames:`
-    pub frames: Option<Said>,
-    /// `Frame Time:`
-    pub frame_time: Option<Said>,
-    /// What was assumed.
-    pub notes: Vec<Note>,
+    motion: Option<Place>,
+    frames: Option<Said>,
+    frame_time: Option<Said>,
 }
 
 /// The keywords of the header.
@@ -36,22 +34,29 @@ enum Keyword {
 }
 
 impl Header {
-    /// Reads a line or what is left of one.
-    pub fn line(&mut self, text: &str, place: Place) {
+    /// Reads a line.
+    pub fn line(&mut self, text: &str, place: Place, notes: &mut Notes) {
         let (mut rest, mut at) = (text.trim(), place);
         while !rest.is_empty() {
             let Some((keyword, length)) = keyword(rest) else {
-                self.note(NoteKind::UnknownLine, at, vec![excerpt(rest)]);
+                notes.add(NoteKind::UnknownLine, at, vec![excerpt(rest)]);
                 return;
             };
-            let value = rest[length..].trim_start();
-            let word = value.split_whitespace().next().unwrap_or("");
-            let taken = if keyword == Keyword::Motion { "" } else { word };
-            self.set(keyword, taken, at);
-            let next = value[taken.len()..].trim_start();
+            let behind = rest[length..].trim_start();
+            let value = match keyword {
+                Keyword::Motion => "",
+                _ => behind.split_whitespace().next().unwrap_or(""),
+            };
+            self.set(keyword, value, at, notes);
+            let next = behind[value.len()..].trim_start();
             at.column += rest[..rest.len() - next.len()].chars().count();
             rest = next;
         }
+    }
+
+    /// The motion begins at a place without any keyword.
+    pub fn begin_without_motion(&mut self, at: Place) {
+        self.motion = Some(at);
     }
 
     /// The frame count, if the file says one that is a number.
@@ -59,83 +64,153 @@ impl Header {
         self.frames.as_ref()?.text.parse().ok()
     }
 
+    /// Notes what the file says about the number of frames, if there are `frames`.
+    pub fn note_frames(&self, frames: usize, notes: &mut Notes) {
+        if frames == 0 {
+            notes.push(Note::new(NoteKind::NoMotion, Vec::new()));
+        }
+        let count = frames.to_string();
+        let Some(said) = &self.frames else {
+            if frames > 0 {
+                notes.add(NoteKind::MotionWithoutFrames, self.place(), vec![count]);
+            }
+            return;
+        };
+        if self.frame_count() != Some(frames) {
+            notes.add(
+                NoteKind::FrameCount,
+                said.place,
+                vec![said.text.clone(), count],
+            );
+        }
+    }
+
     /// Seconds from frame to frame; notes what was assumed.
-    pub fn seconds(&mut self) -> f64 {
-        let Some(said) = self.frame_time.clone() else {
-            let note = Note::new(NoteKind::FrameTimeMissing, Vec::new());
-            self.notes.push(match self.place() {
-                Some(place) => note.at(place.line, place.column),
-                None => note,
-            });
+    pub fn seconds(&self, notes: &mut Notes) -> f64 {
+        let Some(said) = &self.frame_time else {
+            notes.add(NoteKind::FrameTimeMissing, self.place(), Vec::new());
             return frame_time::ASSUMED_S;
         };
         let (seconds, assumed) = frame_time::seconds(&said.text);
         if let Some(kind) = assumed {
-            self.note(kind, said.place, vec![said.text]);
+            notes.add(kind, said.place, vec![said.text.clone()]);
+        } else if number::mark(said.text.as_bytes()) == Some(Mark::Comma) {
+            notes.add(NoteKind::DecimalComma, said.place, Vec::new());
         }
         seconds
     }
 
     /// Where the header begins.
-    pub fn place(&self) -> Option<Place> {
-        self.motion.or(self.frames.as_ref().map(|said| said.place))
+    fn place(&self) -> Place {
+        let frames = self.frames.as_ref().map(|said| said.place);
+        let first = Place { line: 1, column: 1 };
+        self.motion.or(frames).unwrap_or(first)
     }
 
-    fn set(&mut self, keyword: Keyword, value: &str, place: Place) {
+    fn set(&mut self, keyword: Keyword, value: &str, place: Place, notes: &mut Notes) {
+        let text = if value.is_empty() { "nothing" } else { value };
         let said = Said {
-            text: value.to_owned(),
+            text: text.to_owned(),
             place,
         };
         let is_first = match keyword {
-            Keyword::Motion => self.motion.replace(place).is_none(),
+            Keyword::Motion => *self.motion.get_or_insert(place) == place,
             Keyword::Frames => self.frames.get_or_insert(said).place == place,
             Keyword::FrameTime => self.frame_time.get_or_insert(said).place == place,
         };
-        if keyword == Keyword::Frames && self.motion.is_none() {
-            self.motion = Some(place);
-            self.note(NoteKind::FramesWithoutMotion, place, Vec::new());
-        }
         if !is_first {
-            self.note(NoteKind::UnknownLine, place, vec![excerpt(value)]);
+            notes.add(NoteKind::UnknownLine, place, vec![excerpt(value)]);
+        } else if keyword == Keyword::Frames && self.motion.is_none() {
+            self.motion = Some(place);
+            notes.add(NoteKind::FramesWithoutMotion, place, Vec::new());
         }
-    }
-
-    fn note(&mut self, kind: NoteKind, place: Place, details: Vec<String>) {
-        let note = Note::new(kind, details).at(place.line, place.column);
-        self.notes.push(note);
     }
 }
 
-/// Whether a line of the hierarchy is the first of the motion's header.
+/// Whether a line of the hierarchy is the first of the header.
 pub fn begins(text: &[u8]) -> bool {
-    let beginning = &text[..text.len().min(16)];
-    let beginning = String::from_utf8_lossy(beginning);
-    matches!(
-        keyword(&beginning),
-        Some((Keyword::Motion | Keyword::Frames, _))
-    )
+    /// Longer than any keyword with its colon.
+    const ENOUGH: usize = 16;
+    let beginning = String::from_utf8_lossy(&text[..text.len().min(ENOUGH)]);
+    keyword(&beginning).is_some()
 }
 
 /// The keyword at the beginning of `text` and the bytes that it takes with its colon.
 fn keyword(text: &str) -> Option<(Keyword, usize)> {
-    const KEYWORDS: [(&[&str], Keyword); 3] = [
+    let keywords: [(&[&str], Keyword); 3] = [
         (&["frame", "time"], Keyword::FrameTime),
         (&["frames"], Keyword::Frames),
         (&["motion"], Keyword::Motion),
     ];
-    KEYWORDS.iter().find_map(|(words, keyword)| {
-        let mut rest = text;
-        for word in *words {
-            let beginning = rest.get(..word.len())?;
-            rest = match beginning.eq_ignore_ascii_case(word) {
-                true => rest[word.len()..].trim_start(),
-                false => return None,
-            };
+    let mut found = keywords.iter();
+    found.find_map(|(words, keyword)| Some((*keyword, length(text, words)?)))
+}
+
+/// The bytes that `words`, in any case and with any spaces between them, and a colon take at the
+/// beginning of `text`.
+fn length(text: &str, words: &[&str]) -> Option<usize> {
+    let mut rest = text;
+    for word in words {
+        rest = rest.trim_start();
+        let beginning = rest.get(..word.len())?;
+        if !beginning.eq_ignore_ascii_case(word) {
+            return None;
         }
-        let after = rest.strip_prefix(':').unwrap_or(rest);
-        let length = text.len() - after.len();
-        let is_whole = !text[..length].ends_with(|c: char| c.is_alphanumeric())
-            || !after.starts_with(|c: char| c.is_alphanumeric());
-        is_whole.then_some((*keyword, length))
-    })
+        rest = &rest[word.len()..];
+    }
+    let after = rest.trim_start();
+    match after.strip_prefix(':') {
+        Some(after) => Some(text.len() - after.len()),
+        None if rest.starts_with(char::is_alphanumeric) => None,
+        None => Some(text.len() - rest.len()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(lines: &[&str]) -> (Header, Vec<Note>) {
+        let (mut header, mut notes) = (Header::default(), Notes::default());
+        for (index, line) in lines.iter().enumerate() {
+            let place = Place {
+                line: index + 1,
+                column: 1,
+            };
+            header.line(line, place, &mut notes);
+        }
+        (header, notes.in_order())
+    }
+
+    #[test]
+    fn keywords_in_any_case_and_spacing_are_read() {
+        for lines in [
+            &["MOTION", "Frames: 12", "Frame Time: 0.04"][..],
+            &["motion", "FRAMES:12", "frame time:0.04"],
+            &["Motion", "Frame Time : 0.04", "Frames\t12"],
+            &["MOTION Frames: 12 FrameTime: 0.04"],
+        ] {
+            let (header, notes) = read(lines);
+            assert_eq!(header.frame_count(), Some(12), "{lines:?}");
+            assert_eq!(header.seconds(&mut Notes::default()), 0.04, "{lines:?}");
+            assert!(notes.is_empty(), "{notes:?}");
+        }
+    }
+
+    #[test]
+    fn other_words_are_no_keywords() {
+        assert!(!begins(b"Motions"));
+        assert!(!begins(b"JOINT Motion"));
+        assert!(begins(b"Frames:3"));
+    }
+
+    #[test]
+    fn what_is_said_twice_is_noted() {
+        let (header, notes) = read(&["MOTION", "Frames: 1", "Frames: 2"]);
+        assert_eq!(header.frame_count(), Some(1));
+        assert_eq!(
+            (notes[0].kind, notes[0].line),
+            (NoteKind::UnknownLine, Some(3))
+        );
+    }
 }

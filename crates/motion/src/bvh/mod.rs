@@ -10,10 +10,13 @@
 mod encoding;
 mod error;
 mod frame_time;
+mod head;
 mod header;
 mod hierarchy;
 mod lines;
+mod notes;
 mod number;
+mod place;
 mod reader;
 mod rows;
 

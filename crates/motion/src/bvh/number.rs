@@ -1,10 +1,19 @@
 //! Numbers: bytes of a row go in, the `f64` that `str::parse` makes of them comes out.
 
+use super::error::{ErrorKind, ParseError, excerpt};
+use super::place::Place;
+
 /// Powers of ten that an `f64` holds exactly.
 const EXACT_POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
+
+/// Digits that fit a `u64` whatever they are.
+const MOST_DIGITS: usize = 19;
+
+/// Significands up to here are exact in an `f64`.
+const MOST_EXACT: u64 = 1 << 53;
 
 /// Reads the number at `start` up to the first byte that does not belong to it, if it is of a
 /// plain shape: at most 19 digits, an exponent of at most 22 and a significand that an `f64`
@@ -12,36 +21,32 @@ const EXACT_POWERS: [f64; 23] = [
 /// (Clinger, *How to read floating point numbers accurately*, 1990, §3).
 #[inline]
 pub fn plain(bytes: &[u8], start: usize) -> Option<(f64, usize)> {
-    let mut at = start;
-    let is_negative = bytes.get(at) == Some(&b'-');
-    at += usize::from(is_negative);
-    let (mut significand, whole_end) = digits(bytes, at, 0);
-    let mut count = whole_end - at;
-    at = whole_end;
-    let mut exponent = 0_i32;
-    if bytes.get(at) == Some(&b'.') {
-        let (all, end) = digits(bytes, at + 1, significand);
-        let decimals = end - (at + 1);
-        significand = all;
-        count += decimals;
-        exponent = -(decimals as i32);
-        at = end;
+    let is_negative = bytes.get(start) == Some(&b'-');
+    let first = start + usize::from(is_negative);
+    let (whole, mut end) = digits(bytes, first, 0);
+    let mut count = end - first;
+    let mut significand = whole;
+    let mut exponent = 0;
+    if bytes.get(end) == Some(&b'.') {
+        let decimals = end + 1;
+        (significand, end) = digits(bytes, decimals, whole);
+        count += end - decimals;
+        exponent = -((end - decimals) as i64);
     }
-    if let Some(b'e' | b'E') = bytes.get(at) {
-        let (power, end) = exponent_part(bytes, at + 1)?;
+    if let Some(b'e' | b'E') = bytes.get(end) {
+        let (power, after) = power(bytes, end + 1)?;
         exponent += power;
-        at = end;
+        end = after;
     }
-    let is_plain = (1..=19).contains(&count) && significand <= 1 << 53;
-    if !is_plain || !(-22..=22).contains(&exponent) {
+    if !(1..=MOST_DIGITS).contains(&count) || significand > MOST_EXACT {
         return None;
     }
-    let power = EXACT_POWERS[exponent.unsigned_abs() as usize];
+    let exact = EXACT_POWERS.get(exponent.unsigned_abs() as usize)?;
     let size = match exponent < 0 {
-        true => significand as f64 / power,
-        false => significand as f64 * power,
+        true => significand as f64 / exact,
+        false => significand as f64 * exact,
     };
-    Some((if is_negative { -size } else { size }, at))
+    Some((if is_negative { -size } else { size }, end))
 }
 
 #[inline]
@@ -58,20 +63,21 @@ fn digits(bytes: &[u8], start: usize, before: u64) -> (u64, usize) {
     (value, at)
 }
 
-fn exponent_part(bytes: &[u8], start: usize) -> Option<(i32, usize)> {
-    let sign = bytes.get(start)?;
+/// The power of ten after an `e`.
+#[inline]
+fn power(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
+    let sign = *bytes.get(start)?;
     let first = start + usize::from(matches!(sign, b'+' | b'-'));
     let (size, end) = digits(bytes, first, 0);
-    let is_plain = (1..=3).contains(&(end - first));
-    let size = if *sign == b'-' {
-        -(size as i32)
+    let power = if sign == b'-' {
+        -(size as i64)
     } else {
-        size as i32
+        size as i64
     };
-    is_plain.then_some((size, end))
+    (1..=4).contains(&(end - first)).then_some((power, end))
 }
 
-/// What a word of a row is.
+/// What a word of a file is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Word {
     /// A finite number.
@@ -80,6 +86,51 @@ pub enum Word {
     NotANumber,
     /// Anything else.
     Text,
+}
+
+/// Reads a word of any shape; a decimal comma is read as a point.
+pub fn word(word: &[u8]) -> Word {
+    let Ok(text) = core::str::from_utf8(word) else {
+        return Word::Text;
+    };
+    if is_not_a_number(text) {
+        return Word::NotANumber;
+    }
+    let parsed = match text.split_once(',') {
+        None => text.parse(),
+        Some((_, decimals)) if decimals.starts_with(|c: char| c.is_ascii_digit()) => {
+            text.replacen(',', ".", 1).parse()
+        }
+        Some(_) => return Word::Text,
+    };
+    match parsed {
+        Ok(number) if f64::is_finite(number) => Word::Number(number),
+        Ok(_) => Word::NotANumber,
+        Err(_) => Word::Text,
+    }
+}
+
+/// `nan`, `-nan(ind)`, `inf`, and `1.#QNAN`, `-1.#IND00`, `1.#INF` of older C libraries.
+fn is_not_a_number(text: &str) -> bool {
+    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let lower = unsigned.to_ascii_lowercase();
+    let Some(name) = lower.strip_prefix("1.#") else {
+        let is_named = matches!(lower.as_str(), "nan" | "inf" | "infinity");
+        return is_named || (lower.starts_with("nan(") && lower.ends_with(')'));
+    };
+    let known = ["qnan", "snan", "nan", "inf", "ind"];
+    known.iter().any(|known| name.starts_with(known))
+}
+
+/// Whether a word that the end of the file cuts off may have been a number.
+pub fn is_cut(word: &[u8]) -> bool {
+    let lower = word.to_ascii_lowercase();
+    let unsigned = lower.strip_prefix(b"-").unwrap_or(&lower);
+    let begins_a_name = ["nan(snan)", "nan(ind)", "inf"];
+    let begins_a_name = begins_a_name
+        .iter()
+        .any(|name| name.as_bytes().starts_with(unsigned));
+    begins_a_name || matches!(self::word(&[word, b"0"].concat()), Word::Number(_))
 }
 
 /// Which mark stands before the decimals.
@@ -100,47 +151,12 @@ pub fn mark(word: &[u8]) -> Option<Mark> {
     })
 }
 
-/// Reads a word of any shape; a decimal comma is read as a point.
-pub fn word(word: &[u8]) -> Word {
-    let Ok(text) = core::str::from_utf8(word) else {
-        return Word::Text;
+/// The error of a decimal mark that differs from the one used before.
+pub fn mixed_marks(word: &str, used: Mark, at: Place) -> ParseError {
+    let used = match used {
+        Mark::Point => "point",
+        Mark::Comma => "comma",
     };
-    if is_not_a_number(text) {
-        return Word::NotANumber;
-    }
-    let parsed = match text.split_once(',') {
-        Some((_, decimals)) if !decimals.starts_with(|c: char| c.is_ascii_digit()) => None,
-        Some(_) => text.replacen(',', ".", 1).parse().ok(),
-        None => text.parse().ok(),
-    };
-    match parsed {
-        Some(number) if f64::is_finite(number) => Word::Number(number),
-        Some(_) => Word::NotANumber,
-        None => Word::Text,
-    }
-}
-
-/// `nan`, `-nan(ind)`, `inf`, and `1.#QNAN`, `-1.#IND00`, `1.#INF` of older C libraries.
-fn is_not_a_number(text: &str) -> bool {
-    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
-    let lower = unsigned.to_ascii_lowercase();
-    match lower.strip_prefix("1.#") {
-        Some(name) => ["qnan", "snan", "nan", "inf", "ind"]
-            .iter()
-            .any(|known| name.starts_with(known)),
-        None => {
-            matches!(lower.as_str(), "nan" | "inf" | "infinity")
-                || (lower.starts_with("nan(") && lower.ends_with(')'))
-        }
-    }
-}
-
-/// Whether a word that the end of the file cuts off could have become a number.
-pub fn is_cut(word: &[u8]) -> bool {
-    let mut whole = word.to_vec();
-    whole.push(b'0');
-    let begins_a_name = [&b"nan"[..], b"inf", b"-nan", b"-inf"]
-        .iter()
-        .any(|name| name.starts_with(&word.to_ascii_lowercase()));
-    begins_a_name || matches!(self::word(&whole), Word::Number(_))
+    let details = vec![excerpt(word), used.to_owned()];
+    ParseError::new(ErrorKind::MixedDecimalMarks, at, details)
 }

@@ -1,0 +1,230 @@
+//! All before the rows: lines go in; the skeletons and what the motion's header says come out.
+
+use super::Limits;
+use super::encoding::Encoding;
+use super::error::{ErrorKind, ParseError, excerpt};
+use super::header::{self, Header};
+use super::hierarchy::{self, Cursor, Hierarchy};
+use super::lines::{Line, Lines};
+use super::notes::Notes;
+use super::place::{Position, is_blank};
+use crate::note::NoteKind;
+
+/// Bytes within which a file shows that it is BVH.
+const BEGINNING: usize = 64 << 10;
+
+/// Reads the hierarchy and the header of the motion.
+#[derive(Debug)]
+pub struct Head {
+    limits: Limits,
+    lines: Lines,
+    /// Lines of the hierarchy: their encoding shows only when all are there.
+    kept: Vec<Line>,
+    kept_bytes: usize,
+    is_bvh: bool,
+    has_hierarchy: bool,
+    /// The hierarchy; empty until it has ended.
+    pub hierarchy: Hierarchy,
+    /// The encoding of the names.
+    pub encoding: Encoding,
+    /// The header of the motion.
+    pub header: Header,
+    /// What was assumed.
+    pub notes: Notes,
+}
+
+impl Head {
+    /// Before the first line.
+    pub fn new(limits: Limits) -> Self {
+        Self {
+            limits,
+            lines: Lines::new(),
+            kept: Vec::new(),
+            kept_bytes: 0,
+            is_bvh: false,
+            has_hierarchy: false,
+            hierarchy: Hierarchy::default(),
+            encoding: Encoding::Utf8,
+            header: Header::default(),
+            notes: Notes::default(),
+        }
+    }
+
+    /// Reads on; returns the bytes taken. Unless all were taken, the first row begins.
+    pub fn push(&mut self, bytes: &[u8]) -> Result<usize, ParseError> {
+        let mut at = 0;
+        while at < bytes.len() {
+            at += self.lines.skip_blank(&bytes[at..]);
+            if bytes.get(at).is_some_and(|byte| self.is_row_start(*byte)) {
+                self.begin_rows()?;
+                return Ok(at);
+            }
+            let room = self.limit() + 1 - self.length();
+            let (taken, line) = self.lines.take(&bytes[at..], room);
+            at += taken;
+            match line {
+                Some(line) => self.line(line)?,
+                None => self.check_length()?,
+            }
+        }
+        Ok(at)
+    }
+
+    /// Where the first row begins.
+    pub fn row_start(&self) -> Position {
+        let line = self.lines.line();
+        Position::new(line.number, line.indent)
+    }
+
+    /// The end of the file, before any row.
+    pub fn finish(&mut self) -> Result<(), ParseError> {
+        let line = self.lines.end();
+        let end = Cursor::new("the end of the file", line.place());
+        if !line.text.is_empty() {
+            self.line(line)?;
+        }
+        if self.has_hierarchy {
+            return Ok(());
+        }
+        if self.kept.is_empty() {
+            return Err(ParseError::new(ErrorKind::Empty, end.place, Vec::new()));
+        }
+        self.end_hierarchy(end)
+    }
+
+    /// Bytes kept and those of the line so far.
+    fn length(&self) -> usize {
+        self.kept_bytes + self.lines.line().text.len()
+    }
+
+    fn limit(&self) -> usize {
+        match self.is_bvh || is_beginning(&self.lines.line().text) {
+            true => self.limits.hierarchy_bytes,
+            false => BEGINNING.min(self.limits.hierarchy_bytes),
+        }
+    }
+
+    fn check_length(&self) -> Result<(), ParseError> {
+        let limit = self.limit();
+        if self.length() <= limit {
+            return Ok(());
+        }
+        if limit < self.limits.hierarchy_bytes {
+            return Err(self.not_bvh());
+        }
+        let place = self.lines.line().place();
+        Err(ParseError::new(
+            ErrorKind::LongHierarchy,
+            place,
+            vec![limit.to_string()],
+        ))
+    }
+
+    fn line(&mut self, line: Line) -> Result<(), ParseError> {
+        if !self.has_hierarchy {
+            return self.hierarchy_line(line);
+        }
+        self.header_line(&line);
+        Ok(())
+    }
+
+    fn hierarchy_line(&mut self, mut line: Line) -> Result<(), ParseError> {
+        let braces = closing_braces(&line.text);
+        if !header::begins(&line.text[braces..]) {
+            return self.keep(line);
+        }
+        let rest = line.split_off(braces);
+        self.keep(line)?;
+        self.end_hierarchy(Cursor::new("MOTION", rest.place()))?;
+        self.header_line(&rest);
+        Ok(())
+    }
+
+    fn keep(&mut self, line: Line) -> Result<(), ParseError> {
+        let Some(first) = line.text.first() else {
+            return Ok(());
+        };
+        let is_number = begins_number(*first);
+        self.is_bvh |= is_beginning(&line.text);
+        self.kept_bytes += line.text.len();
+        self.kept.push(line);
+        match is_number && !self.is_bvh {
+            true => Err(self.not_bvh()),
+            false => Ok(()),
+        }
+    }
+
+    fn header_line(&mut self, line: &Line) {
+        let text = self.encoding.decode(&line.text);
+        self.header.line(&text, line.place(), &mut self.notes);
+    }
+
+    /// Whether a line that begins so is a row: after the header, or after the last brace where
+    /// there is none.
+    fn is_row_start(&self, byte: u8) -> bool {
+        let is_after_brace = || {
+            let last = self.kept.last();
+            last.is_some_and(|line| closing_braces(&line.text) == line.text.len())
+        };
+        self.lines.line().text.is_empty()
+            && begins_number(byte)
+            && (self.has_hierarchy || (self.is_bvh && is_after_brace()))
+    }
+
+    fn begin_rows(&mut self) -> Result<(), ParseError> {
+        if self.has_hierarchy {
+            return Ok(());
+        }
+        let place = self.lines.line().place();
+        self.end_hierarchy(Cursor::new("the first row", place))?;
+        self.header.begin_without_motion(place);
+        self.notes.add(NoteKind::MissingMotion, place, Vec::new());
+        Ok(())
+    }
+
+    fn end_hierarchy(&mut self, end: Cursor<'_>) -> Result<(), ParseError> {
+        if !self.is_bvh {
+            return Err(self.not_bvh());
+        }
+        let kept = core::mem::take(&mut self.kept);
+        self.encoding = Encoding::of(kept.iter().map(|line| line.text.as_slice()));
+        let encoding = self.encoding;
+        let texts: Vec<_> = kept
+            .iter()
+            .map(|line| encoding.decode(&line.text))
+            .collect();
+        let lines = kept.iter().zip(&texts);
+        let lines = lines.map(|(line, text)| Cursor::new(text, line.place()));
+        self.hierarchy = hierarchy::read(lines, end, &self.limits, &mut self.notes)?;
+        self.has_hierarchy = true;
+        Ok(())
+    }
+
+    fn not_bvh(&self) -> ParseError {
+        let line = self.kept.first().unwrap_or(self.lines.line());
+        let text = String::from_utf8_lossy(&line.text);
+        ParseError::new(ErrorKind::NotBvh, line.place(), vec![excerpt(&text)])
+    }
+}
+
+fn closing_braces(text: &[u8]) -> usize {
+    let braces = text
+        .iter()
+        .take_while(|byte| **byte == b'}' || is_blank(**byte));
+    braces.count()
+}
+
+/// Whether a line begins a BVH file.
+fn is_beginning(text: &[u8]) -> bool {
+    ["hierarchy", "root"].iter().any(|keyword| {
+        let (beginning, after) = text.split_at(keyword.len().min(text.len()));
+        let is_whole = after
+            .first()
+            .is_none_or(|byte| !byte.is_ascii_alphanumeric());
+        beginning.eq_ignore_ascii_case(keyword.as_bytes()) && is_whole
+    })
+}
+
+fn begins_number(byte: u8) -> bool {
+    byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.')
+}

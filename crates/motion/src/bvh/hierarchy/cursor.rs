@@ -1,0 +1,99 @@
+//! A cursor in a line of the hierarchy: from word to word, knowing its place.
+
+use crate::bvh::place::Place;
+
+/// What is left of a line, and where that begins.
+#[derive(Clone, Copy, Debug)]
+pub struct Cursor<'a> {
+    /// The text that is left, without white space at its beginning.
+    pub rest: &'a str,
+    /// The place of its first character.
+    pub place: Place,
+}
+
+impl<'a> Cursor<'a> {
+    /// At the beginning of a text.
+    pub fn new(text: &'a str, place: Place) -> Self {
+        Self { rest: text, place }.past_spaces()
+    }
+
+    /// Past the next `bytes` and the white space after them.
+    pub fn past(self, bytes: usize) -> Self {
+        self.advanced(bytes).past_spaces()
+    }
+
+    /// Past all of the line.
+    pub fn at_end(self) -> Self {
+        self.advanced(self.rest.len())
+    }
+
+    /// Whether a brace comes next.
+    pub fn is_at_brace(self) -> bool {
+        self.rest.starts_with(['{', '}'])
+    }
+
+    /// The next word and what follows it; a word ends at white space or a brace.
+    pub fn word(self) -> (&'a str, Self) {
+        let end = self
+            .rest
+            .find(|c: char| c.is_whitespace() || c == '{' || c == '}');
+        let end = end.unwrap_or(self.rest.len());
+        (&self.rest[..end], self.past(end))
+    }
+
+    /// The name that fills the line, up to a brace that stands alone or at the end of the line.
+    pub fn name(self) -> (&'a str, Self) {
+        let opens_alone = |(at, _): &(usize, &str)| {
+            let before = self.rest[..*at].chars().next_back();
+            before.is_none_or(char::is_whitespace)
+        };
+        let opening = self.rest.match_indices('{').find(opens_alone);
+        let end = opening.map_or(self.rest.len(), |(at, _)| at);
+        let name = self.rest[..end].trim_end();
+        let name = match opening {
+            None => name.strip_suffix('{').unwrap_or(name).trim_end(),
+            Some(_) => name,
+        };
+        (name, self.past(name.len()))
+    }
+
+    fn advanced(self, bytes: usize) -> Self {
+        let (over, rest) = self.rest.split_at(bytes);
+        let place = Place {
+            line: self.place.line,
+            column: self.place.column + over.chars().count(),
+        };
+        Self { rest, place }
+    }
+
+    fn past_spaces(self) -> Self {
+        self.advanced(self.rest.len() - self.rest.trim_start().len())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn name(text: &str) -> (&str, &str) {
+        let (name, after) = Cursor::new(text, Place { line: 1, column: 1 }).name();
+        (name, after.rest)
+    }
+
+    #[test]
+    fn a_name_is_the_rest_of_the_line_but_for_a_brace() {
+        assert_eq!(name("Bip01 L UpperArm "), ("Bip01 L UpperArm", ""));
+        assert_eq!(name("mixamorig:Hips {"), ("mixamorig:Hips", "{"));
+        assert_eq!(name("左 腕{"), ("左 腕", "{"));
+        assert_eq!(name("a{b} c { OFFSET"), ("a{b} c", "{ OFFSET"));
+        assert_eq!(name("{"), ("", "{"));
+        assert_eq!(name(""), ("", ""));
+    }
+
+    #[test]
+    fn columns_count_characters() {
+        let (word, after) = Cursor::new(" 左腕 x", Place { line: 3, column: 5 }).word();
+        assert_eq!((word, after.rest), ("左腕", "x"));
+        assert_eq!(after.place, Place { line: 3, column: 9 });
+    }
+}
