@@ -5,36 +5,7 @@ mod support;
 use motion::hodrick_prescott::low_pass;
 use motion::keypose::{Extraction, Options, SelectionRule, extract};
 use serde_json::Value;
-use support::golden_clips;
-
-fn numbers(value: &Value) -> Vec<f64> {
-    let list = value.as_array().expect("a list");
-    list.iter()
-        .map(|number| number.as_f64().expect("a number"))
-        .collect()
-}
-
-fn indices(value: &Value) -> Vec<usize> {
-    let list = value.as_array().expect("a list");
-    list.iter()
-        .map(|number| number.as_u64().expect("an index") as usize)
-        .collect()
-}
-
-/// Asserts that the largest difference over the largest value is at most `tolerance`.
-fn assert_close(name: &str, found: &[f64], golden: &[f64], tolerance: f64) {
-    assert_eq!(found.len(), golden.len(), "{name}: length");
-    let largest = golden
-        .iter()
-        .fold(0.0, |largest: f64, value| largest.max(value.abs()));
-    let differences = found.iter().zip(golden).map(|(a, b)| (a - b).abs());
-    let difference = differences.fold(0.0, f64::max);
-    assert!(
-        difference <= tolerance * largest,
-        "{name}: {:e}",
-        difference / largest
-    );
-}
+use support::{assert_close, golden_clips, indices, numbers};
 
 fn rate_hz(clip: &Value) -> f64 {
     clip["frame_rate_hz"].as_f64().expect("a rate")

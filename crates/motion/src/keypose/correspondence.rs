@@ -97,6 +97,3 @@ impl Matching {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

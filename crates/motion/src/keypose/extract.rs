@@ -235,3 +235,6 @@ fn matched(survivors: &[Survivor], minima: &[usize]) -> Vec<Survivor> {
             .collect()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,5 +1,7 @@
 //! The folder of test data, which is not part of the repository.
 
+#![allow(dead_code, reason = "not every test file uses all of this module")]
+
 use std::fs;
 use std::path::PathBuf;
 
@@ -24,7 +26,6 @@ pub fn data_folder() -> Option<PathBuf> {
 }
 
 /// The golden values of every clip: its name and the JSON object.
-#[allow(dead_code, reason = "not every test file uses all of this module")]
 pub fn golden_clips() -> Vec<(String, Value)> {
     let Some(folder) = data_folder() else {
         return Vec::new();
@@ -46,4 +47,35 @@ pub fn golden_clips() -> Vec<(String, Value)> {
             (name, serde_json::from_str(&text).expect("JSON"))
         })
         .collect()
+}
+
+/// A list of numbers.
+pub fn numbers(value: &Value) -> Vec<f64> {
+    let list = value.as_array().expect("a list");
+    list.iter()
+        .map(|number| number.as_f64().expect("a number"))
+        .collect()
+}
+
+/// A list of frames or indices.
+pub fn indices(value: &Value) -> Vec<usize> {
+    let list = value.as_array().expect("a list");
+    list.iter()
+        .map(|number| number.as_u64().expect("an index") as usize)
+        .collect()
+}
+
+/// Asserts that the largest difference over the largest value is at most `tolerance`.
+pub fn assert_close(name: &str, found: &[f64], golden: &[f64], tolerance: f64) {
+    assert_eq!(found.len(), golden.len(), "{name}: length");
+    let largest = golden
+        .iter()
+        .fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    let differences = found.iter().zip(golden).map(|(a, b)| (a - b).abs());
+    let difference = differences.fold(0.0, f64::max);
+    assert!(
+        difference <= tolerance * largest,
+        "{name}: {:e}",
+        difference / largest
+    );
 }
