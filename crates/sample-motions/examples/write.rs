@@ -24,7 +24,7 @@ fn write(folder: &Path, sample: &Sample) -> io::Result<()> {
     fs::write(folder.join(format!("{id}.bvh")), bvh(sample))?;
     let marks: Vec<String> = true_keyposes(sample).iter().map(mark).collect();
     let json = format!(
-        "{{\"file\": \"{id}.bvh\", \"frames\": [{}]}}\n",
+        "{{\"file\": \"{id}.bvh\", \"keyposes\": [{}]}}\n",
         marks.join(", ")
     );
     fs::write(folder.join(format!("{id}.json")), json)
