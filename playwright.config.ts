@@ -1,0 +1,40 @@
+// The browser tests: tests/e2e and tests/parity, in Chromium, against the built app.
+import { createHash } from 'node:crypto';
+import { defineConfig } from '@playwright/test';
+import { chromiumArguments, findChromium } from './scripts/chromium.mjs';
+
+/** KEYPOSE_PORT, or a port of this folder's own, so that several clones can be tested at once. */
+function port(): number {
+  if (process.env.KEYPOSE_PORT) return Number(process.env.KEYPOSE_PORT);
+  const hash = createHash('sha256')
+    .update(import.meta.dirname)
+    .digest();
+  return 20_000 + (hash.readUInt32LE() % 20_000);
+}
+
+const address = `http://127.0.0.1:${port()}`;
+const vite = `"${process.execPath}" node_modules/vite/bin/vite.js`;
+
+export default defineConfig({
+  testDir: 'tests',
+  testMatch: '**/*.spec.ts',
+  outputDir: 'test-results',
+  fullyParallel: true,
+  forbidOnly: !!process.env.CI,
+  workers: 2,
+  timeout: 60_000,
+  reporter: [['list']],
+  use: {
+    baseURL: address,
+    viewport: { width: 1440, height: 900 },
+    locale: 'en-GB',
+    colorScheme: 'light',
+    trace: 'retain-on-failure',
+    launchOptions: { executablePath: findChromium(), args: chromiumArguments },
+  },
+  webServer: {
+    command: `${vite} build --logLevel warn && ${vite} preview --host 127.0.0.1 --port ${port()} --strictPort`,
+    url: address,
+    timeout: 120_000,
+  },
+});

@@ -1,0 +1,58 @@
+// `npm run sizes`: what a visitor downloads. In: dist/. Out: the size of the WebAssembly module and of all
+// that the first screen asks for, as a browser loads it, raw and gzip; exit status 1 above the budgets.
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+import { chromium } from '@playwright/test';
+import { preview } from 'vite';
+import { chromiumArguments, findChromium } from './chromium.mjs';
+import { root } from './process.mjs';
+
+const budgets_kb = { wasm: 300, firstScreen: 400 };
+
+function measured(bytes) {
+  return { raw: bytes.length, gzip: gzipSync(bytes).length };
+}
+
+/** The file names, relative to dist/, that a browser loads before the page is idle. */
+async function firstScreenFiles() {
+  const server = await preview({ preview: { port: 0, host: '127.0.0.1' } });
+  const browser = await chromium.launch({
+    executablePath: findChromium(),
+    args: chromiumArguments,
+  });
+  const page = await browser.newPage();
+  const origin = `http://127.0.0.1:${server.httpServer.address().port}`;
+  const files = new Set();
+  page.on('response', (response) => files.add(new URL(response.url()).pathname.slice(1)));
+  await page.goto(origin, { waitUntil: 'networkidle' });
+  await browser.close();
+  await server.close();
+  return [...files].map((file) => file || 'index.html').sort();
+}
+
+function report(name, size) {
+  const kb = (bytes) => `${(bytes / 1000).toFixed(1)} KB`.padStart(10);
+  console.log(`${kb(size.raw)} raw ${kb(size.gzip)} gzip  ${name}`);
+}
+
+function total(sizes) {
+  const sum = (key) => sizes.reduce((all, size) => all + size[key], 0);
+  return { raw: sum('raw'), gzip: sum('gzip') };
+}
+
+const dist = join(root, 'dist');
+const sizeOf = (file) => measured(readFileSync(join(dist, file)));
+const files = await firstScreenFiles();
+files.forEach((file) => report(file, sizeOf(file)));
+const firstScreen = total(files.map(sizeOf));
+report('FIRST SCREEN', firstScreen);
+const wasmFiles = readdirSync(dist, { recursive: true }).filter((file) => file.endsWith('.wasm'));
+const wasm = total(wasmFiles.map(sizeOf));
+report('WASM', wasm);
+if (wasm.gzip > budgets_kb.wasm * 1000 || firstScreen.gzip > budgets_kb.firstScreen * 1000) {
+  console.error(
+    `Above the budget: wasm ${budgets_kb.wasm} KB, first screen ${budgets_kb.firstScreen} KB, gzip.`,
+  );
+  process.exitCode = 1;
+}

@@ -1,0 +1,12 @@
+// `npm test`: that the numbers are right and the page does what it says. Out: each step's time.
+import { nodeProgram, runSteps } from './steps.mjs';
+
+runSteps([
+  { name: 'Rust tests', command: ['cargo', 'test', '--locked', '--quiet'] },
+  {
+    name: 'keypose command (release)',
+    command: ['cargo', 'build', '--locked', '--quiet', '--release', '-p', 'keypose-cli'],
+  },
+  { name: 'TypeScript unit tests', command: nodeProgram('vitest/vitest.mjs', 'run') },
+  { name: 'browser tests', command: nodeProgram('@playwright/test/cli.js', 'test') },
+]);
