@@ -166,7 +166,7 @@ function headBones(
   });
   const lower = along(HEAD_INSET + HEAD_LENGTH);
   return [
-    cone(atJoint(neck), base === neck ? lower : atJoint(base), RADII.neck, 'trunk', LIMBS.trunk),
+    cone(atJoint(neck), lower, RADII.neck, 'trunk', LIMBS.trunk),
     cone(lower, along(HEAD_INSET), RADII.head, 'trunk', LIMBS.trunk),
   ];
 }

@@ -3,6 +3,7 @@
  * of a body shares: +Y up, the ground at 0, lengths in body heights.
  *
  * Yaw: a viewer at yaw ψ stands on the side (sin ψ, 0, cos ψ) and has (cos ψ, 0, −sin ψ) to the right.
+ * Yaw 0 has world +X to the right, +Y where X is up: the convention of the core's yaws.
  */
 import type { PerformerResult, UpAxis } from '../engine/types';
 
@@ -16,7 +17,7 @@ interface AxisMap {
 }
 
 const AXIS_MAPS: Readonly<Record<UpAxis, AxisMap>> = {
-  '+X': { source: [1, 0, 2], sign: [-1, 1, 1] },
+  '+X': { source: [1, 0, 2], sign: [1, 1, -1] },
   '-X': { source: [1, 0, 2], sign: [1, -1, 1] },
   '+Y': { source: [0, 1, 2], sign: [1, 1, 1] },
   '-Y': { source: [0, 1, 2], sign: [1, -1, -1] },

@@ -4,26 +4,26 @@ import { BufferAttribute, InstancedBufferGeometry } from 'three';
 /** Triangles a figure may have. */
 export const TRIANGLE_BUDGET = 3000;
 
-/** Sides around the cone and rings over each of its two ends. */
+/** Corners of the outline, and rings from the point that faces the eye out to it. */
 export interface ConeDetail {
-  readonly sides: number;
+  readonly corners: number;
   readonly rings: number;
 }
 
 const DETAILS: readonly ConeDetail[] = [
-  { sides: 12, rings: 3 },
-  { sides: 11, rings: 3 },
-  { sides: 12, rings: 2 },
-  { sides: 8, rings: 2 },
-  { sides: 6, rings: 2 },
-  { sides: 6, rings: 1 },
-  { sides: 4, rings: 1 },
-  { sides: 3, rings: 1 },
+  { corners: 24, rings: 4 },
+  { corners: 19, rings: 4 },
+  { corners: 18, rings: 3 },
+  { corners: 15, rings: 2 },
+  { corners: 10, rings: 2 },
+  { corners: 10, rings: 1 },
+  { corners: 6, rings: 1 },
+  { corners: 4, rings: 1 },
 ];
 
-/** Two fans of `sides` triangles at the tips and 2 · rings − 1 bands of 2 · `sides` between them. */
+/** A fan in the middle and bands of two triangles a corner around it. */
 export function trianglesOf(detail: ConeDetail): number {
-  return 4 * detail.sides * detail.rings;
+  return detail.corners * (2 * detail.rings - 1);
 }
 
 /** The finest cone with which a figure of so many cones stays in the budget, else the coarsest. */
@@ -32,36 +32,33 @@ export function detailFor(cones: number): ConeDetail {
   return fitting ?? DETAILS[DETAILS.length - 1];
 }
 
-/** Vertices from tip to tip: (cos, sin, fraction of the end's arc) and which end. */
+/** Vertices (cos, sin, ring 0 … 1) of the half of a cone that faces the eye. */
 export function coneGeometry(cones: number): InstancedBufferGeometry {
-  const { sides, rings } = detailFor(cones);
+  const { corners, rings } = detailFor(cones);
   const positions: number[] = [];
-  const ends: number[] = [];
-  for (let row = 0; row < 2 * rings + 2; row++) {
-    const end = row <= rings ? 0 : 1;
-    for (let side = 0; side < sides; side++) {
-      const angle = (2 * Math.PI * side) / sides;
-      positions.push(Math.cos(angle), Math.sin(angle), (row - end * (rings + 1)) / rings);
-      ends.push(end);
+  for (let ring = 0; ring <= rings; ring++) {
+    for (let corner = 0; corner < corners; corner++) {
+      // Half a step off the axis, so that no corner lies between the two ends of the cone.
+      const angle = (2 * Math.PI * (corner + 0.5)) / corners;
+      positions.push(Math.cos(angle), Math.sin(angle), ring / rings);
     }
   }
   const geometry = new InstancedBufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(Float32Array.from(positions), 3));
-  geometry.setAttribute('end', new BufferAttribute(Float32Array.from(ends), 1));
-  geometry.setIndex(coneIndex(sides, 2 * rings + 1));
+  geometry.setIndex(coneIndex(corners, rings));
   geometry.instanceCount = cones;
   return geometry;
 }
 
-/** The first and the last band touch a tip, where one of the two triangles has no area. */
-function coneIndex(sides: number, bands: number): number[] {
+/** The vertices of ring 0 are one point: its band is a fan. */
+function coneIndex(corners: number, rings: number): number[] {
   const index: number[] = [];
-  for (let band = 0; band < bands; band++) {
-    for (let side = 0; side < sides; side++) {
-      const a = band * sides + side;
-      const b = band * sides + ((side + 1) % sides);
-      if (band > 0) index.push(a, b, a + sides);
-      if (band < bands - 1) index.push(b, b + sides, a + sides);
+  for (let ring = 0; ring < rings; ring++) {
+    for (let corner = 0; corner < corners; corner++) {
+      const a = ring * corners + corner;
+      const b = ring * corners + ((corner + 1) % corners);
+      index.push(a, a + corners, b + corners);
+      if (ring > 0) index.push(a, b + corners, b);
     }
   }
   return index;

@@ -2,7 +2,7 @@
 import { DataTexture, FloatType, NearestFilter, RGBAFormat } from 'three';
 import type { BoneCone, Side } from '../figure/bone-cone';
 
-/** Texels of one cone: start and radius, end and radius, limb and side. */
+/** Texels of one cone: start and radius, end and radius, limb, side, whether it is trunk. */
 const TEXELS = 3;
 /** Numbers of one cone in `data`. */
 export const TEXTURE_STRIDE = TEXELS * 4;
@@ -27,6 +27,7 @@ export class ConeTexture {
       const at = (first + i) * TEXTURE_STRIDE + 8;
       this.data[at] = bone.limb;
       this.data[at + 1] = SIDE_NUMBER[bone.side];
+      this.data[at + 2] = bone.side === 'trunk' ? 1 : 0;
     });
   }
 

@@ -166,6 +166,7 @@ export class Drawing {
   private setSize(): void {
     const ratio = this.quality.reduced ? 1 : Math.min(window.devicePixelRatio, MOST_PIXEL_RATIO);
     this.renderer.setPixelRatio(ratio);
+    this.scene.setPixelRatio(ratio);
     this.renderer.setSize(this.width, this.height, false);
     this.rig.setAspect(this.width / this.height);
   }

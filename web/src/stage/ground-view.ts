@@ -46,6 +46,7 @@ export class GroundView {
         centre: { value: this.centre },
         cell: { value: 0.5 },
         fade: { value: FADE },
+        pixelRatio: { value: 1 },
         gridStrength: { value: 0 },
         shadowStrength: { value: 0 },
         gridColour: { value: null },
@@ -68,6 +69,11 @@ export class GroundView {
   /** Side of the grid's cells, in body heights. */
   setCell(cell: number): void {
     this.material.uniforms.cell.value = cell;
+  }
+
+  /** Device pixels of one CSS pixel. */
+  setPixelRatio(ratio: number): void {
+    this.material.uniforms.pixelRatio.value = ratio;
   }
 
   /** The middle of the grid. */

@@ -33,7 +33,7 @@ const LIGHTING: Readonly<Record<Theme, Lighting>> = {
     ground: new Vector3(0.5, 0.5, 0.54),
     sun: new Vector3(0.52, 0.5, 0.47),
     rim: new Vector3(0.1, 0.1, 0.11),
-    gridStrength: 0.55,
+    gridStrength: 0.45,
     shadowStrength: 0.58,
   },
   dark: {
@@ -41,16 +41,23 @@ const LIGHTING: Readonly<Record<Theme, Lighting>> = {
     ground: new Vector3(0.2, 0.2, 0.23),
     sun: new Vector3(0.78, 0.74, 0.7),
     rim: new Vector3(0.16, 0.17, 0.2),
-    gridStrength: 0.55,
+    gridStrength: 0.45,
     shadowStrength: 0.72,
   },
 };
 
-/** The bodies' colours are made for flat drawing; lit, they need this much of white or black mixed in. */
-const TINT: Readonly<Record<Theme, { readonly toward: string; readonly amount: number }>> = {
-  light: { toward: '#ffffff', amount: 0.23 },
-  dark: { toward: '#000000', amount: 0.1 },
+/** How a body's flat colour becomes that of a lit one: first mixed with white (less than 0: away from it), then scaled. */
+interface Tint {
+  readonly white: number;
+  readonly gain: number;
+}
+
+const TINTS: Readonly<Record<Theme, { readonly limbs: Tint; readonly trunk: Tint }>> = {
+  light: { limbs: { white: 0.15, gain: 1.2 }, trunk: { white: 0.31, gain: 1 } },
+  dark: { limbs: { white: -0.1, gain: 0.9 }, trunk: { white: 0, gain: 0.76 } },
 };
+
+const WHITE = new Color(1, 1, 1);
 
 const SHADOW: Readonly<Record<Theme, string>> = { light: '#2b3142', dark: '#000000' };
 
@@ -72,11 +79,10 @@ export function readPalette(element: Element, theme: Theme): Palette {
     const value = style.getPropertyValue(name).trim();
     return new Color().setStyle(value === '' ? FALLBACK[name] : value, SRGBColorSpace);
   };
-  const body = (name: Property): Color => tinted(read(name), theme);
   return {
-    left: body('--left'),
-    right: body('--right'),
-    trunk: body('--trunk'),
+    left: tinted(read('--left'), TINTS[theme].limbs),
+    right: tinted(read('--right'), TINTS[theme].limbs),
+    trunk: tinted(read('--trunk'), TINTS[theme].trunk),
     stageTop: read('--stage-a').convertLinearToSRGB(),
     stageBottom: read('--stage-b').convertLinearToSRGB(),
     grid: read('--line3'),
@@ -85,9 +91,7 @@ export function readPalette(element: Element, theme: Theme): Palette {
   };
 }
 
-/** Mixed as eyes see it, in sRGB. */
-function tinted(colour: Color, theme: Theme): Color {
-  const { toward, amount } = TINT[theme];
-  const other = new Color().setStyle(toward, SRGBColorSpace).convertLinearToSRGB();
-  return colour.convertLinearToSRGB().lerp(other, amount).convertSRGBToLinear();
+/** Mixed in sRGB, as eyes see it; scaled as light is. */
+function tinted(colour: Color, { white, gain }: Tint): Color {
+  return colour.convertLinearToSRGB().lerp(WHITE, white).convertSRGBToLinear().multiplyScalar(gain);
 }

@@ -46,32 +46,54 @@ float openSun(vec3 p, vec4 start, vec4 end, float sharpness) {
 }
 `;
 
-/** position = (cos, sin, fraction of the end's arc), end = 0 or 1; one instance is one cone. */
+/**
+ * position = (cos θ, sin θ, ring 0 … 1); one instance is one cone. A cone is convex, so each vertex
+ * lies where the surface has its normal: ring 0 faces the eye, ring 1 is the outline as the eye sees it.
+ */
 export const figureVertex = /* glsl */ `
 ${CONES}
 uniform int firstCone;
 uniform vec3 sideColours[3];
-in float end;
 out vec3 worldPosition;
-out vec3 worldNormal;
 flat out vec3 colour;
-flat out float limb;
+flat out int cone;
+
+vec3 anyAcross(vec3 v) {
+  return normalize(cross(v, abs(v.y) < .9 ? vec3(0., 1., 0.) : vec3(1., 0., 0.)));
+}
+
+// The vertex' normal on a ball: turned from the eye towards the outline, θ counted from "along".
+vec3 normalOn(vec4 ball, vec3 along) {
+  vec3 toEye = cameraPosition - ball.xyz;
+  float far = length(toEye);
+  vec3 v = toEye / far;
+  vec3 u = normalize(along - dot(along, v) * v);
+  float turn = acos(clamp(ball.w / far, 0., .98)) * position.z;
+  return cos(turn) * v + sin(turn) * (position.x * u + position.y * cross(v, u));
+}
 
 void main() {
-  int cone = firstCone + gl_InstanceID;
+  cone = firstCone + gl_InstanceID;
   vec4 a = coneStart(cone), b = coneEnd(cone), kind = coneKind(cone);
   vec3 axis = b.xyz - a.xyz;
-  float len = length(axis);
-  vec3 w = len > 1e-6 ? axis / len : vec3(0., 1., 0.);
-  vec3 u = normalize(cross(w, abs(w.y) < .9 ? vec3(0., 1., 0.) : vec3(1., 0., 0.)));
-  // The cone touches both balls at the same angle from the axis' normal.
-  float touch = asin(clamp((a.w - b.w) / max(len, 1e-6), -1., 1.));
-  float latitude = end < .5 ? mix(-1.5707963, touch, position.z) : mix(touch, 1.5707963, position.z);
-  worldNormal = cos(latitude) * (position.x * u + position.y * cross(w, u)) + sin(latitude) * w;
-  worldPosition = (end < .5 ? a.xyz : b.xyz) + (end < .5 ? a.w : b.w) * worldNormal;
+  vec3 v = normalize(cameraPosition - .5 * (a.xyz + b.xyz));
+  vec3 along = axis - dot(axis, v) * v;
+  float alongLength = length(along);
+  along = alongLength > 1e-5 ? along / alongLength : anyAcross(v);
+  vec3 n = normalOn(a, along);
+  vec4 ball = a;
+  // The ball that reaches farther that way.
+  if (dot(n, axis) + b.w - a.w > 0.) {
+    n = normalOn(b, along);
+    ball = b;
+  }
+  worldPosition = ball.xyz + ball.w * n;
   colour = sideColours[int(kind.y + .5)];
-  limb = kind.x;
   gl_Position = projectionMatrix * viewMatrix * vec4(worldPosition, 1.);
+  // The trunk wins where a limb begins inside it with nearly its radius.
+  vec3 toEye = normalize(cameraPosition - worldPosition);
+  vec4 nearer = projectionMatrix * viewMatrix * vec4(worldPosition + .005 * kind.z * toEye, 1.);
+  gl_Position.z = nearer.z / nearer.w * gl_Position.w;
 }
 `;
 
@@ -82,23 +104,35 @@ uniform int firstCone;
 uniform int coneCount;
 uniform vec3 sky, ground, sun, rim;
 in vec3 worldPosition;
-in vec3 worldNormal;
 flat in vec3 colour;
-flat in float limb;
+flat in int cone;
 out vec4 pixel;
 
 void main() {
-  vec3 n = normalize(worldNormal);
-  vec3 toEye = normalize(cameraPosition - worldPosition);
+  vec4 a = coneStart(cone), b = coneEnd(cone);
+  float limb = coneKind(cone).x;
+  // The ball of the cone that touches here: the mesh is coarse, the surface is not.
+  vec3 axis = b.xyz - a.xyz;
+  float len = max(length(axis), 1e-6);
+  vec3 w = axis / len;
+  vec3 from = worldPosition - a.xyz;
+  float y = dot(from, w);
+  float slope = clamp((a.w - b.w) / len, -.999, .999);
+  float centre = clamp(y - length(from - y * w) * slope * inversesqrt(1. - slope * slope), 0., len);
+  vec3 middle = a.xyz + centre * w;
+  vec3 n = normalize(worldPosition - middle);
+  vec3 p = middle + n * mix(a.w, b.w, centre / len);
+
+  vec3 toEye = normalize(cameraPosition - p);
   float open = 1., lit = 1.;
   for (int i = 0; i < min(coneCount, ${MOST_OCCLUDERS}); i++) {
-    int cone = firstCone + i;
-    if (abs(coneKind(cone).x - limb) < .5) continue;
-    vec4 a = coneStart(cone), b = coneEnd(cone);
-    open *= mix(1., openSky(worldPosition, n, a, b), .62);
-    lit = min(lit, openSun(worldPosition + n * .014, a, b, 5.));
+    int other = firstCone + i;
+    if (abs(coneKind(other).x - limb) < .5) continue;
+    vec4 start = coneStart(other), end = coneEnd(other);
+    open *= mix(1., openSky(p, n, start, end), .62);
+    lit = min(lit, openSun(p + n * .014, start, end, 5.));
   }
-  open *= mix(.62, 1., smoothstep(0., .2, worldPosition.y + n.y * .05));
+  open *= mix(.62, 1., smoothstep(0., .2, p.y + n.y * .05));
   float upward = n.y * .5 + .5;
   float facing = dot(n, sunDirection);
   float sunlight = mix(max(facing + .35, 0.) / 1.35 * .35, max(facing, 0.), .7) * mix(.35, 1., lit);
@@ -126,17 +160,17 @@ uniform int figureCount;
 uniform vec3 spots[${MOST_SPOTS}];
 uniform int spotCount;
 uniform vec2 centre;
-uniform float cell, fade, gridStrength, shadowStrength;
+uniform float cell, fade, pixelRatio, gridStrength, shadowStrength;
 uniform vec3 gridColour, shadowColour;
 in vec2 place;
 out vec4 pixel;
 
-// Lines of a width in pixels; they fade where they would come closer than a few pixels.
+// Lines of a width in CSS pixels; they fade where they would come closer than a few pixels.
 float lines(float size, float width) {
   vec2 at = place / size;
   vec2 pixelSize = fwidth(at);
   vec2 off = abs(fract(at - .5) - .5) / pixelSize;
-  float line = 1. - min(min(off.x, off.y) / width, 1.);
+  float line = 1. - min(min(off.x, off.y) / (width * pixelRatio), 1.);
   return line * clamp(1. - max(pixelSize.x, pixelSize.y) * 1.6, 0., 1.);
 }
 
@@ -157,7 +191,7 @@ void main() {
     open *= 1. - .5 * exp(-dot(off, off));
   }
   float away = distance(place, centre);
-  float grid = max(lines(cell, 1.1) * .55, lines(cell * 2., 1.2))
+  float grid = max(lines(cell, .7) * .6, lines(cell * 2., .8))
     * gridStrength * (1. - smoothstep(fade * .25, fade, away));
   float shadow = (1. - open * mix(.62, 1., lit)) * shadowStrength;
   float alpha = 1. - (1. - grid) * (1. - shadow);

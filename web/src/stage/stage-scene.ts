@@ -83,6 +83,10 @@ export class StageScene {
     return true;
   }
 
+  setPixelRatio(ratio: number): void {
+    this.ground.setPixelRatio(ratio);
+  }
+
   /** The middle of the grid, where it does not fade. */
   setGridCentre(x: number, z: number): void {
     this.ground.setCentre(x, z);

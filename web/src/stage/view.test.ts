@@ -14,12 +14,12 @@ describe('presetView', () => {
     expect(presetView('top', yaws, 2, 0, 0).elevationRad).toBeGreaterThan(1.5);
   });
 
-  it('frames a body height and a half, or more where the stage is narrow', () => {
+  it('frames a body height and a third, or more where the stage is narrow', () => {
     const wide = presetView('side', yaws, 2, 0, 0);
     const halfHeight = wide.distance * Math.tan((23 / 360) * Math.PI);
-    expect(halfHeight).toBeCloseTo(0.72, 9);
+    expect(halfHeight).toBeCloseTo(0.67, 9);
     const narrow = presetView('side', yaws, 0.5, 0, 0);
-    expect(narrow.distance * Math.tan((23 / 360) * Math.PI) * 0.5).toBeCloseTo(0.62, 9);
+    expect(narrow.distance * Math.tan((23 / 360) * Math.PI) * 0.5).toBeCloseTo(0.6, 9);
   });
 });
 

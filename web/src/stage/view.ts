@@ -19,9 +19,9 @@ const EYE_ELEVATION_RAD = 0.07;
 /** Not quite from above, so that the picture has an upper edge. */
 const TOP_ELEVATION_RAD = 1.555;
 /** Half the height and half the width that the framing keeps free around the figure. */
-const FRAMED_HALF_HEIGHT = 0.72;
-const FRAMED_HALF_WIDTH = 0.62;
-const TARGET_HEIGHT = 0.55;
+const FRAMED_HALF_HEIGHT = 0.67;
+const FRAMED_HALF_WIDTH = 0.6;
+const TARGET_HEIGHT = 0.54;
 
 export interface Yaws {
   readonly frontYawRad: number;
