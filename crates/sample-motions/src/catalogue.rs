@@ -35,3 +35,22 @@ const ENTRIES: [Entry; 2] = [
 pub fn catalogue() -> &'static [Entry] {
     &ENTRIES
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_motion_is_offered_once() {
+        let motions: Vec<Motion> = catalogue()
+            .iter()
+            .map(|entry| entry.sample.motion)
+            .collect();
+        assert_eq!(motions, Motion::ALL);
+        assert!(
+            catalogue()
+                .iter()
+                .all(|entry| entry.id == entry.sample.motion.id())
+        );
+    }
+}

@@ -28,7 +28,7 @@ const FOOT_LANDS: [f64; 2] = [0.0, 0.84];
 const FOOT_STEPS: [f64; 2] = [0.08, 0.88];
 /// A leg is so much shorter in the middle of its way, in body heights: always, and for each radian that it turns.
 const FOOT_CLEARANCE: f64 = 0.015;
-const FOOT_CLEARANCE_PER_RADIAN: f64 = 0.03;
+const FOOT_CLEARANCE_PER_RADIAN: f64 = 0.055;
 /// The toes pass over the ground at this height, in body heights.
 const GROUND_CLEARANCE: f64 = 0.03;
 /// How softly a leg that is nearly straight holds the hips down, in body heights.
@@ -177,7 +177,7 @@ impl Move<'_> {
             toes_up: from.toes_up + (to.toes_up - from.toes_up) * share,
         };
         let below = BALL[1] + GROUND_CLEARANCE * aside - lowest(&foot);
-        foot.ankle.y += excess(below, GROUND_CLEARANCE * aside);
+        foot.ankle.y += excess(below, 2.0 * GROUND_CLEARANCE * aside);
         foot
     }
 }

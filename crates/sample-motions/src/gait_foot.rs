@@ -2,7 +2,7 @@
 //!
 //! A stance is three rockers: the heel strikes with the toes up and the foot comes down about the heel; it stands
 //! flat; it rises about the ball while the toes stay. A swing joins the ends of two stances with equal position,
-//! velocity and acceleration.
+//! velocity and acceleration; only the brake of the heel strike is a jump of the acceleration.
 
 use crate::body::{ANKLE, BALL_FROM_ANKLE, HEEL_FROM_ANKLE};
 use crate::quintic::{End, Quintic, detour};
@@ -16,7 +16,9 @@ const FOREFOOT_ROCKER_S: f64 = 0.30;
 /// Tilt per second as the toes leave, as a multiple of the tilt.
 const OFF_PITCH_RATE: f64 = 5.5;
 /// The mid-swing rise of the ankle above the joining curve, in body heights.
-const SWING_LIFT: f64 = 0.034;
+const SWING_LIFT: f64 = 0.030;
+/// The ground stops the foot so hard, in body heights per second².
+const STRIKE_BRAKE: f64 = 16.0;
 const DIFFERENCE_S: f64 = 1e-3;
 
 /// A time on the ground.
@@ -94,21 +96,19 @@ impl FootTrack {
 }
 
 fn swing(from: &Stance, to: &Stance, time_s: f64) -> FootPlace {
-    let join = |value: &dyn Fn(FootPlace) -> f64| {
+    let join = |value: &dyn Fn(FootPlace) -> f64, brake: f64| {
         let start = end_of(|t| value(from.place(t)), from.off_s);
-        let end = end_of(|t| value(to.place(t)), to.strike_s);
+        let mut end = end_of(|t| value(to.place(t)), to.strike_s);
+        end.acceleration -= brake;
         Quintic::new(from.off_s, start, to.strike_s, end).at(time_s)
     };
     let x = (time_s - from.off_s) / (to.strike_s - from.off_s);
-    let y = join(&|place| place.ankle.y) + SWING_LIFT * detour(x);
+    let z = join(&|place| place.ankle.z, STRIKE_BRAKE);
+    let y = join(&|place| place.ankle.y, 0.0) + SWING_LIFT * detour(x);
     FootPlace {
-        ankle: Vector3::new(
-            join(&|place| place.ankle.x),
-            y,
-            join(&|place| place.ankle.z),
-        ),
-        pitch: join(&|place| place.pitch),
-        toes_up: join(&|place| place.toes_up),
+        ankle: Vector3::new(to.x, y, z),
+        pitch: join(&|place| place.pitch, 0.0),
+        toes_up: join(&|place| place.toes_up, 0.0),
     }
 }
 

@@ -16,8 +16,8 @@ const STEP_S: f64 = 0.55;
 const STEP_LENGTH: f64 = 0.375;
 const SPEED: f64 = STEP_LENGTH / STEP_S;
 const STEPS: usize = 10;
-const START_S: f64 = 0.295;
-const FIRST_STRIKE_S: f64 = 1.12;
+const START_S: f64 = 0.095;
+const FIRST_STRIKE_S: f64 = 0.92;
 const FIRST_STEP_LENGTH: f64 = 0.28;
 /// Both feet stand for so long after a strike.
 const DOUBLE_SUPPORT_S: f64 = 0.12;
@@ -25,9 +25,9 @@ const FOOT_X: f64 = 0.042;
 const TURN_OUT: f64 = 0.10;
 const OFF_PITCH: f64 = 1.02;
 /// The pelvis is behind the ankle that strikes by this part of a step.
-const STRIKE_LEAD: f64 = 0.50;
-const HIP_HEIGHT: f64 = 0.5365;
-const BOB: f64 = 0.0125;
+const STRIKE_LEAD: f64 = 0.46;
+const HIP_HEIGHT: f64 = 0.5435;
+const BOB: f64 = 0.0115;
 const SWAY: f64 = 0.013;
 /// Links further from the pelvis follow later.
 const LAG_S: f64 = 0.02;
@@ -98,7 +98,7 @@ impl Walk {
         } else {
             self.start.at(strike_s(1)) + SPEED * (time_s - strike_s(1))
         };
-        let standing = (1.0 - effort(time_s)) * 0.016;
+        let standing = (1.0 - effort(time_s)) * 0.0095;
         let height = HIP_HEIGHT + BOB * bob(time_s) + standing;
         Vector3::new(-SWAY * sway(time_s), height, z)
     }
