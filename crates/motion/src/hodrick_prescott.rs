@@ -156,18 +156,9 @@ impl<const L: usize> LaneFilter<L> {
         let unknowns = solution.len() - 2;
         let [mut partial_1, mut partial_2, ..] = solution.carry;
         for index in solution.position..end.min(unknowns) {
-            let factor = self.factors.row(index);
-            let (y_0, y_1, y_2) = (
-                samples.row(index),
-                samples.row(index + 1),
-                samples.row(index + 2),
-            );
-            let mut partial = [0.0; L];
-            for lane in 0..L {
-                let bend = second_difference(y_0[lane], y_1[lane], y_2[lane]);
-                partial[lane] = (bend - factor.beside[lane] * partial_1[lane] - partial_2[lane])
-                    * factor.inverse_pivot[lane];
-            }
+            let (y_0, y_1) = (samples.row(index), samples.row(index + 1));
+            let bend = second_differences(&y_0, &y_1, &samples.row(index + 2));
+            let partial = eliminated(self.factors.row(index), &bend, &partial_1, &partial_2);
             solution.partial[index] = partial;
             (partial_2, partial_1) = (partial_1, partial);
         }
@@ -188,31 +179,22 @@ impl<const L: usize> LaneFilter<L> {
             mut partial_2,
         ] = solution.carry;
         for k in (len - end..len - solution.position).rev() {
-            let w_0 = match k.checked_sub(2) {
-                Some(index) => substitute(
-                    self.factors.row(index),
-                    &solution.partial[index],
-                    &w_1,
-                    &w_2,
-                ),
-                None => [0.0; L],
-            };
+            let mut w_0 = [0.0; L];
+            if let Some(index) = k.checked_sub(2) {
+                let factor = self.factors.row(index);
+                w_0 = substituted(factor, &solution.partial[index], &w_1, &w_2);
+                solution.dual[index] = w_0;
+            }
             let x_0 = primal(&samples.row(k), &w_2, &w_1, &w_0);
             if k < unknowns {
-                let factor = self.factors.row(unknowns - 1 - k);
-                let mut partial = [0.0; L];
-                for lane in 0..L {
-                    let residual = second_difference(x_0[lane], x_1[lane], x_2[lane])
-                        - w_2[lane] * self.factors.inverse_lambda[lane];
-                    partial[lane] =
-                        (residual - factor.beside[lane] * partial_1[lane] - partial_2[lane])
-                            * factor.inverse_pivot[lane];
+                let mut residual = second_differences(&x_0, &x_1, &x_2);
+                for (lane, residual) in residual.iter_mut().enumerate() {
+                    *residual -= w_2[lane] * self.factors.inverse_lambda[lane];
                 }
+                let factor = self.factors.row(unknowns - 1 - k);
+                let partial = eliminated(factor, &residual, &partial_1, &partial_2);
                 solution.partial[k] = partial;
                 (partial_2, partial_1) = (partial_1, partial);
-            }
-            if let Some(index) = k.checked_sub(2) {
-                solution.dual[index] = w_0;
             }
             (w_2, w_1) = (w_1, w_0);
             (x_2, x_1) = (x_1, x_0);
@@ -232,7 +214,7 @@ impl<const L: usize> LaneFilter<L> {
             if k < unknowns {
                 let factor = self.factors.row(unknowns - 1 - k);
                 w_0 = solution.dual[k];
-                delta_0 = substitute(factor, &solution.partial[k], &delta_1, &delta_2);
+                delta_0 = substituted(factor, &solution.partial[k], &delta_1, &delta_2);
             }
             let nearly = primal(&samples.row(k), &w_0, &w_1, &w_2);
             solution.dual[k] = primal(&nearly, &delta_0, &delta_1, &delta_2);
@@ -243,14 +225,39 @@ impl<const L: usize> LaneFilter<L> {
     }
 }
 
+/// `K` at one row: the bend of three neighbours, exact where they are close.
 #[inline(always)]
-fn second_difference(first: f64, middle: f64, last: f64) -> f64 {
-    (first - middle) - (middle - last)
+fn second_differences<const L: usize>(
+    first: &[f64; L],
+    middle: &[f64; L],
+    last: &[f64; L],
+) -> [f64; L] {
+    let mut bend = [0.0; L];
+    for lane in 0..L {
+        bend[lane] = (first[lane] - middle[lane]) - (middle[lane] - last[lane]);
+    }
+    bend
+}
+
+/// One row of the elimination with the scaled lower triangle.
+#[inline(always)]
+fn eliminated<const L: usize>(
+    factor: &FactorRow<L>,
+    right: &[f64; L],
+    before_1: &[f64; L],
+    before_2: &[f64; L],
+) -> [f64; L] {
+    let mut value = [0.0; L];
+    for lane in 0..L {
+        let rest = right[lane] - factor.beside[lane] * before_1[lane] - before_2[lane];
+        value[lane] = rest * factor.inverse_pivot[lane];
+    }
+    value
 }
 
 /// One row of the substitution with the unit triangle.
 #[inline(always)]
-fn substitute<const L: usize>(
+fn substituted<const L: usize>(
     factor: &FactorRow<L>,
     partial: &[f64; L],
     next_1: &[f64; L],
@@ -273,9 +280,9 @@ fn primal<const L: usize>(
     middle: &[f64; L],
     last: &[f64; L],
 ) -> [f64; L] {
-    let mut x = [0.0; L];
+    let mut x = second_differences(first, middle, last);
     for lane in 0..L {
-        x[lane] = y[lane] - second_difference(first[lane], middle[lane], last[lane]);
+        x[lane] = y[lane] - x[lane];
     }
     x
 }
