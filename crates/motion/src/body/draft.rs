@@ -12,8 +12,8 @@ use crate::skeleton::Skeleton;
 #[derive(Clone, Debug)]
 pub struct Draft {
     joints: [Option<(usize, Source)>; Role::ALL.len()],
-    /// The joint of the head, of which [`Role::Head`] is the tip.
-    pub head: Option<usize>,
+    /// The joint of the head, of which [`Role::Head`] is the tip, and why it was taken.
+    pub head: Option<(usize, Source)>,
 }
 
 impl Draft {
@@ -29,9 +29,14 @@ impl Draft {
         draft
     }
 
+    /// The joint of a role, and why it was taken.
+    pub fn found(&self, role: Role) -> Option<(usize, Source)> {
+        self.joints[role.index()]
+    }
+
     /// The joint of a role.
     pub fn joint(&self, role: Role) -> Option<usize> {
-        self.joints[role.index()].map(|(joint, _)| joint)
+        self.found(role).map(|(joint, _)| joint)
     }
 
     /// Gives a role its joint, unless it has one.
@@ -51,17 +56,21 @@ impl Draft {
         }
     }
 
-    /// Gives an end its joint: what `end` finds from the joint `from`.
-    pub fn set_end(&mut self, role: Role, from: Option<usize>, end: impl Fn(usize) -> usize) {
-        if let Some(from) = from {
-            let joint = end(from);
-            let is_fallback = joint == from;
-            let source = if is_fallback {
+    /// Gives an end its joint: what `tip` finds from the joint that it ends.
+    pub fn set_end(
+        &mut self,
+        role: Role,
+        ended: Option<(usize, Source)>,
+        tip: impl Fn(usize) -> usize,
+    ) {
+        if let Some((joint, source)) = ended {
+            let end = tip(joint);
+            let source = if end == joint {
                 Source::Fallback
             } else {
-                Source::Name
+                source
             };
-            self.set(role, joint, source);
+            self.set(role, end, source);
         }
     }
 

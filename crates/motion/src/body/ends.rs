@@ -18,6 +18,9 @@ const UNEQUAL: f64 = 1.5;
 /// … with one above this share of the skeleton's size (0.08 body heights): they are garbage.
 const UNEQUAL_LENGTH: f64 = 0.095;
 
+/// The cosine above which a bone goes on in the direction of the one before.
+const GOES_ON: f64 = 0.85;
+
 /// What the ends are looked for with.
 #[derive(Clone, Copy, Debug)]
 pub struct Ends<'a> {
@@ -29,7 +32,7 @@ pub struct Ends<'a> {
     pub end_sites: bool,
 }
 
-/// Whether the End Sites of left and right agree.
+/// Whether the End Sites of left and right agree, by the names of their joints.
 pub fn end_sites_agree(tree: &Tree, readings: &[Reading]) -> bool {
     let sites = |side: Side| {
         (0..tree.len())
@@ -42,11 +45,30 @@ pub fn end_sites_agree(tree: &Tree, readings: &[Reading]) -> bool {
     };
     let right: std::collections::BTreeMap<&str, f64> = sites(Side::Right).collect();
     sites(Side::Left).all(|(stem, left)| {
-        right.get(stem).is_none_or(|&right| {
-            let (short, long) = (left.min(right), left.max(right));
-            long <= UNEQUAL * short || long <= UNEQUAL_LENGTH * tree.rest.size
-        })
+        right
+            .get(stem)
+            .is_none_or(|right| lengths_agree(tree, left, *right))
     })
+}
+
+/// Whether the End Sites below both limbs of a pair agree, where the limbs are built alike.
+pub fn limb_ends_agree(tree: &Tree, limbs: [Limb; 2]) -> bool {
+    let [one, other] = limbs.map(|limb| tree.subtree(limb[0]));
+    let is_alike = one.len() == other.len();
+    let pairs = || one.iter().zip(&other);
+    let are_sites = pairs().all(|(one, other)| tree.is_end_site(*one) == tree.is_end_site(*other));
+    !is_alike
+        || !are_sites
+        || pairs()
+            .filter(|(one, _)| tree.is_end_site(**one))
+            .all(|(one, other)| {
+                lengths_agree(tree, tree.offset_length(*one), tree.offset_length(*other))
+            })
+}
+
+fn lengths_agree(tree: &Tree, one: f64, other: f64) -> bool {
+    let (short, long) = (one.min(other), one.max(other));
+    long <= UNEQUAL * short || long <= UNEQUAL_LENGTH * tree.rest.size
 }
 
 /// How well an end fits: rank, and reach from the joint that it ends.
@@ -98,15 +120,32 @@ impl Ends<'_> {
         self.best(wrist, &self.leaves(wrist, is_out), rank)
     }
 
-    /// The tip of the head: a child called so, else the End Site, else the head itself.
+    /// The tip of the head: a child called so, or one at the end that goes on where the neck points,
+    /// else the End Site, else the head itself.
     pub fn head_tip(&self, head: usize) -> usize {
         let tree = self.tree;
-        let named = tree.joints_below(head).find(|child| {
+        let is_tip = |child: &usize| {
             let reading = &self.readings[*child];
             let is_face = reading.strength(Part::Face) > 0 || reading.side.is_some();
-            reading.is_tip && !is_face && !tree.rest.is_zero(*child)
-        });
+            let is_named = reading.is_tip || self.goes_on(*child);
+            is_named && !reading.is_helper && !is_face && !tree.rest.is_zero(*child)
+        };
+        let named = tree.joints_below(head).find(is_tip);
         named.or_else(|| self.end_site(head)).unwrap_or(head)
+    }
+
+    /// Whether a joint with nothing below it goes on in the direction of the bone before.
+    fn goes_on(&self, joint: usize) -> bool {
+        let offsets = &self.tree.rest.offsets;
+        let Some(parent) = self.tree.parent(joint).filter(|_| self.is_leaf(joint)) else {
+            return false;
+        };
+        let (before, own) = (offsets[parent], offsets[joint]);
+        before.dot(&own) >= GOES_ON * before.norm() * own.norm()
+    }
+
+    fn is_leaf(&self, joint: usize) -> bool {
+        self.tree.joints_below(joint).next().is_none()
     }
 
     /// The joints at the ends of the chains below `above`, `above` itself if nothing is below.
@@ -129,7 +168,7 @@ impl Ends<'_> {
 
     /// Whether a joint is a helper with nothing below it.
     fn is_bare_helper(&self, joint: usize) -> bool {
-        self.readings[joint].is_helper && self.tree.joints_below(joint).next().is_none()
+        self.readings[joint].is_helper && self.is_leaf(joint)
     }
 
     /// Of the `leaves` below `above`, or their End Sites, the one of the highest rank, then of the
@@ -138,13 +177,21 @@ impl Ends<'_> {
         let mut best: (Fit, usize) = ((0, PLACEHOLDER * self.tree.rest.size), above);
         for &leaf in leaves {
             let end = self.end_site(leaf).unwrap_or(leaf);
-            let reach = (self.tree.place(end) - self.tree.place(above)).norm();
+            let reach = self.reach(above, leaf);
             let is_placeholder = reach < PLACEHOLDER * self.tree.rest.size;
             if !is_placeholder && (rank(leaf), reach) > best.0 {
                 best = ((rank(leaf), reach), end);
             }
         }
         best.1
+    }
+
+    /// How far a leaf reaches from `above`, with an End Site that may repeat the bone before.
+    fn reach(&self, above: usize, leaf: usize) -> f64 {
+        let sites = self.tree.children(leaf).iter().filter(|_| self.end_sites);
+        let tips = sites.chain(core::iter::once(&leaf));
+        let ways = tips.map(|tip| (self.tree.place(*tip) - self.tree.place(above)).norm());
+        ways.fold(0.0, f64::max)
     }
 
     /// The number of the finger that a joint belongs to: that of the first joint of its chain.

@@ -33,6 +33,7 @@ use crate::track::PelvisTrack;
 use draft::Draft;
 use ends::Ends;
 use limbs::Limb;
+use names::Part;
 use reading::Reading;
 use rest_pose::RestPose;
 use tree::Tree;
@@ -251,19 +252,23 @@ fn find_trunk(tree: &Tree, readings: &[Reading], draft: &mut Draft) {
     if tree.is_end_site(head) {
         head = tree.parent(head).unwrap_or(head);
     }
-    draft.head = Some(head);
-    draft.set(
-        Role::Pelvis,
-        trunk::pelvis(tree, [legs[0][0], legs[1][0]], head),
-        Source::Name,
-    );
+    let source = |joint: usize, part: Part| match readings[joint].strength(part) {
+        0 => Source::Shape,
+        _ => Source::Name,
+    };
+    draft.head = Some((head, source(head, Part::Head)));
+    let pelvis = trunk::pelvis(tree, [legs[0][0], legs[1][0]], head);
+    draft.set(Role::Pelvis, pelvis, source(pelvis, Part::Pelvis));
     let pelvis = draft.joint(Role::Pelvis).unwrap_or(0);
     let neck = trunk::neck(tree, readings, pelvis, head, [arms[0][0], arms[1][0]]);
-    draft.set(Role::Neck, neck, Source::Name);
+    draft.set(Role::Neck, neck, source(neck, Part::Neck));
 }
 
 fn find_ends(tree: &Tree, readings: &[Reading], draft: &mut Draft, notes: &mut Vec<Note>) {
-    let end_sites = ends::end_sites_agree(tree, readings);
+    let unnamed = [draft.legs(), draft.arms()].into_iter().flatten();
+    let mut unnamed = unnamed.filter(|[left, _]| readings[left[0]].side.is_none());
+    let end_sites = ends::end_sites_agree(tree, readings)
+        && unnamed.all(|limbs| ends::limb_ends_agree(tree, limbs));
     if !end_sites {
         notes.push(Note::new(NoteKind::EndSitesUnequal, Vec::new()));
     }
@@ -275,8 +280,8 @@ fn find_ends(tree: &Tree, readings: &[Reading], draft: &mut Draft, notes: &mut V
     for side in Side::BOTH {
         let [_, _, wrist, finger] = Role::arm(side);
         let [_, _, ankle, toe] = Role::leg(side);
-        draft.set_end(finger, draft.joint(wrist), |joint| ends.finger(joint));
-        draft.set_end(toe, draft.joint(ankle), |joint| ends.toe(joint));
+        draft.set_end(finger, draft.found(wrist), |joint| ends.finger(joint));
+        draft.set_end(toe, draft.found(ankle), |joint| ends.toe(joint));
     }
     draft.set_end(Role::Head, draft.head, |joint| ends.head_tip(joint));
     notes.extend(draft.fallback_notes(tree.skeleton));

@@ -11,7 +11,16 @@ const LIMB_LENGTH: f64 = 0.25;
 const MIRROR: f64 = 0.15;
 
 /// An End Site longer than this share of the skeleton's size is garbage.
-const END_SITE_LENGTH: f64 = 0.3;
+const END_SITE_LENGTH: f64 = 0.2;
+
+/// A bone shorter than this share of the skeleton's size is none.
+const ZERO: f64 = 2e-3;
+
+/// The weight of the way from the trunk to the limb, which often has a part of the trunk in it.
+const BEFORE: f64 = 0.05;
+
+/// The cost of a joint between the three of a limb.
+const SKIPPED: f64 = 0.15;
 
 /// Chains compared at one joint: the longest ones.
 const COMPARED: usize = 32;
@@ -163,38 +172,69 @@ fn difference(tree: &Tree, one: &[usize], other: &[usize]) -> f64 {
         .sum()
 }
 
-/// The three joints of a chain that come nearest to `proportions`.
+/// The three joints of a chain that come nearest to `proportions`. The last of them stands at or
+/// before the joint where the chain divides into fingers or toes.
 pub fn limb(tree: &Tree, branch: usize, chain: &[usize], proportions: Proportions) -> Option<Limb> {
     let reach = reaches(tree);
-    let lengths: Vec<f64> = chain
-        .iter()
-        .map(|joint| tree.path_length(branch, *joint))
-        .collect();
     let last = *chain.last()?;
-    let whole = tree.path_length(branch, last) + reach[last];
-    let mut best: Option<(f64, Limb)> = None;
-    for first in 0..chain.len() {
-        for middle in first + 1..chain.len() {
-            for end in middle + 1..chain.len() {
-                let (upper, lower) = (
-                    lengths[middle] - lengths[first],
-                    lengths[end] - lengths[middle],
-                );
-                if upper <= 0.0 || lower <= 0.0 {
-                    continue;
-                }
-                let bones = upper + lower;
-                let before = lengths[first] / bones - proportions.before;
-                let after = (whole - lengths[end]) / bones - proportions.after;
-                let ratio = libm::log(upper / lower / proportions.upper_per_lower);
-                let cost = before * before + after * after + ratio * ratio;
-                if best.is_none_or(|(least, _)| cost < least) {
-                    best = Some((cost, [chain[first], chain[middle], chain[end]]));
+    let measured = Measured {
+        lengths: chain
+            .iter()
+            .map(|joint| tree.path_length(branch, *joint))
+            .collect(),
+        zeros: chain
+            .iter()
+            .map(|joint| tree.rest.is_zero(*joint))
+            .collect(),
+        whole: tree.path_length(branch, last) + reach[last],
+    };
+    let divides = |joint: &usize| {
+        let is_bone =
+            |child: &usize| tree.offset_length(*child) + reach[*child] > ZERO * tree.rest.size;
+        tree.joints_below(*joint).filter(is_bone).count() > 1
+    };
+    let hand = chain
+        .iter()
+        .skip(2)
+        .position(divides)
+        .map_or(chain.len(), |place| place + 3);
+    let mut best: Option<(f64, [usize; 3])> = None;
+    for first in 0..hand {
+        for middle in first + 1..hand {
+            for end in middle + 1..hand {
+                let cost = measured.cost([first, middle, end], proportions);
+                if cost.is_some_and(|cost| best.is_none_or(|(least, _)| cost < least)) {
+                    best = cost.map(|cost| (cost, [first, middle, end]));
                 }
             }
         }
     }
-    best.map(|(_, limb)| limb)
+    best.map(|(_, places)| places.map(|place| chain[place]))
+}
+
+/// A chain in lengths from its branch.
+struct Measured {
+    lengths: Vec<f64>,
+    zeros: Vec<bool>,
+    whole: f64,
+}
+
+impl Measured {
+    /// How far three joints of the chain are from `proportions`; none without two bones.
+    fn cost(&self, [first, middle, end]: [usize; 3], proportions: Proportions) -> Option<f64> {
+        let upper = self.lengths[middle] - self.lengths[first];
+        let lower = self.lengths[end] - self.lengths[middle];
+        if upper <= 0.0 || lower <= 0.0 {
+            return None;
+        }
+        let bones = upper + lower;
+        let before = self.lengths[first] / bones - proportions.before;
+        let after = (self.whole - self.lengths[end]) / bones - proportions.after;
+        let ratio = libm::log(upper / lower / proportions.upper_per_lower);
+        let between = (first + 1..end).filter(|place| *place != middle && !self.zeros[*place]);
+        let skipped = SKIPPED * between.count() as f64;
+        Some(ratio * ratio + after * after + BEFORE * before * before + skipped)
+    }
 }
 
 /// The legs and the arms among `pairs`: the two longest; the legs' branch stands above the arms',

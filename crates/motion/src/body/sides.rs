@@ -10,6 +10,9 @@ use super::tree::Tree;
 /// The cosine below which legs hang down from the trunk.
 const STANDING: f64 = -0.5;
 
+/// The cosine above which a direction is along the line of the hips.
+const ALONG_HIPS: f64 = 0.5;
+
 /// Places to judge by: those of the rest pose if it is a standing body, else those of `frame`;
 /// none if neither is.
 pub fn standing_places<'a>(
@@ -56,7 +59,7 @@ pub fn sorted(
 }
 
 /// The direction of the person's left: up × forward, up along the trunk, forward along the feet;
-/// +X where the feet tell nothing.
+/// +X where that is across the line of the hips, for then the feet tell nothing.
 pub fn left(
     places: &[Vector3<f64>],
     legs: [Limb; 2],
@@ -66,9 +69,8 @@ pub fn left(
     let up = middle(places, [arms[0][0], arms[1][0]]) - middle(places, [legs[0][0], legs[1][0]]);
     let forward = middle(places, toes) - middle(places, [legs[0][2], legs[1][2]]);
     let left = up.cross(&forward);
-    if left.norm() > 0.0 {
-        left
-    } else {
-        Vector3::x()
-    }
+    let hips = places[legs[0][0]] - places[legs[1][0]];
+    let lengths = left.norm() * hips.norm();
+    let is_along_hips = lengths > 0.0 && left.dot(&hips).abs() >= ALONG_HIPS * lengths;
+    if is_along_hips { left } else { Vector3::x() }
 }

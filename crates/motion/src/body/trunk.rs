@@ -28,21 +28,27 @@ fn meets(tree: &Tree, joint: usize, limb: Limb) -> bool {
     tree.contains(joint, limb[2]) || tree.contains(limb[0], joint)
 }
 
-/// The last joint of the longest chain without side that leaves `branch` beside the arms.
+/// The last joint of the longest chain without side that leaves `branch` beside the arms; a chain
+/// ends where it divides, for a face or hair begins there.
 fn top(tree: &Tree, readings: &[Reading], branch: usize, arms: [Limb; 2]) -> Option<usize> {
     let is_free = |joint: &usize| {
-        readings[*joint].side.is_none()
-            && !readings[*joint].is_helper
-            && !arms.iter().any(|limb| meets(tree, *joint, *limb))
+        let reading = &readings[*joint];
+        let is_other =
+            reading.side.is_some() || reading.is_helper || reading.strength(Part::Face) > 0;
+        !is_other && !arms.iter().any(|limb| meets(tree, *joint, *limb))
     };
     let mut best: Option<(f64, usize)> = None;
-    let mut open: Vec<usize> = tree.joints_below(branch).filter(is_free).collect();
-    while let Some(joint) = open.pop() {
-        let way = tree.path_length(branch, joint);
-        if best.is_none_or(|(length, _)| way > length) {
-            best = Some((way, joint));
+    for start in tree.joints_below(branch).filter(is_free) {
+        let mut last = start;
+        let mut below: Vec<usize> = tree.joints_below(last).filter(is_free).collect();
+        while let [next] = below[..] {
+            last = next;
+            below = tree.joints_below(last).filter(is_free).collect();
         }
-        open.extend(tree.joints_below(joint).filter(is_free));
+        let way = tree.path_length(branch, last);
+        if best.is_none_or(|(length, _)| way > length) {
+            best = Some((way, last));
+        }
     }
     best.map(|(_, joint)| joint)
 }
