@@ -65,10 +65,10 @@ impl Draft {
     ) {
         if let Some((joint, source)) = ended {
             let end = tip(joint);
-            let source = if end == joint {
-                Source::Fallback
-            } else {
-                source
+            let source = match source {
+                _ if end == joint => Source::Fallback,
+                Source::Shape => Source::Shape,
+                _ => Source::Name,
             };
             self.set(role, end, source);
         }
