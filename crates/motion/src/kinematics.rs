@@ -33,23 +33,45 @@ impl Default for WorldFromJoint {
 pub struct Kinematics<'a> {
     clip: &'a Clip,
     performer: usize,
+    /// The channels of all joints that move anything, in the order of the file.
+    moves: Vec<Move>,
+    /// The end of each joint's part of `moves`.
+    moves_end: Vec<usize>,
     pose: Vec<WorldFromJoint>,
+}
+
+/// What the value of one column does.
+#[derive(Clone, Copy, Debug)]
+struct Move {
+    column: usize,
+    channel: Channel,
 }
 
 impl<'a> Kinematics<'a> {
     /// The kinematics of one performer (from 0) of `clip`.
     pub fn new(clip: &'a Clip, performer: usize) -> Self {
-        let joints = clip.performers[performer].skeleton.joints.len();
+        let joints = &clip.performers[performer].skeleton.joints;
+        let mut moves = Vec::new();
+        let mut moves_end = Vec::with_capacity(joints.len());
+        for joint in joints {
+            let columns = joint.first_channel..;
+            let channels = columns.zip(joint.channels.iter().copied());
+            let channels = channels.filter(|(_, channel)| *channel != Channel::Other);
+            moves.extend(channels.map(|(column, channel)| Move { column, channel }));
+            moves_end.push(moves.len());
+        }
         Self {
             clip,
             performer,
-            pose: vec![WorldFromJoint::default(); joints],
+            moves,
+            moves_end,
+            pose: vec![WorldFromJoint::default(); joints.len()],
         }
     }
 
     /// Joints and End Sites of the performer: the length of every pose.
     pub fn joint_count(&self) -> usize {
-        self.joints().len()
+        self.pose.len()
     }
 
     /// Frames of the clip.
@@ -61,13 +83,10 @@ impl<'a> Kinematics<'a> {
     /// (from 0).
     pub fn world_from_joint(&self, frame: usize, pose: &mut [WorldFromJoint]) {
         let values = self.clip.frame_values(self.performer, frame);
-        for (index, joint) in self.joints().iter().enumerate() {
-            let first = joint.first_channel;
-            let own = &values[first..first + joint.channels.len()];
-            let parent = joint
-                .parent
-                .map_or_else(WorldFromJoint::default, |parent| pose[parent]);
-            pose[index] = placed(joint, own, &parent);
+        let mut first = 0;
+        for (index, (joint, &end)) in self.joints().iter().zip(&self.moves_end).enumerate() {
+            pose[index] = self.placed(joint, first..end, values, pose);
+            first = end;
         }
     }
 
@@ -82,44 +101,48 @@ impl<'a> Kinematics<'a> {
         self.pose = pose;
     }
 
-    /// Fills `pose` as [`Self::world_from_joint`] does with every channel at zero: the pose that
-    /// the OFFSETs alone make.
+    /// Fills `pose` with the pose that the OFFSETs alone make, every rotation being zero.
     pub fn rest(&self, pose: &mut [WorldFromJoint]) {
         for (index, joint) in self.joints().iter().enumerate() {
-            let parent = joint
-                .parent
-                .map_or_else(WorldFromJoint::default, |parent| pose[parent]);
-            pose[index] = WorldFromJoint {
-                rotation: parent.rotation,
-                position: parent.position + joint.offset,
-            };
+            pose[index] = self.placed(joint, 0..0, &[], pose);
         }
     }
 
     fn joints(&self) -> &'a [Joint] {
         &self.clip.performers[self.performer].skeleton.joints
     }
-}
 
-fn placed(joint: &Joint, values: &[f64], parent: &WorldFromJoint) -> WorldFromJoint {
-    let mut offset = joint.offset;
-    let mut rotation = parent.rotation;
-    for (channel, &value) in joint.channels.iter().zip(values) {
-        match *channel {
-            Channel::Position(axis) => offset[axis.index()] = value,
-            Channel::AddedPosition(axis) => offset[axis.index()] += value,
-            Channel::Rotation(axis) => turn(&mut rotation, axis, value),
-            Channel::Other => {}
+    fn placed(
+        &self,
+        joint: &Joint,
+        moves: core::ops::Range<usize>,
+        values: &[f64],
+        pose: &[WorldFromJoint],
+    ) -> WorldFromJoint {
+        let parent = joint
+            .parent
+            .map_or_else(WorldFromJoint::default, |parent| pose[parent]);
+        let mut offset = joint.offset;
+        let mut rotation = parent.rotation;
+        for step in &self.moves[moves] {
+            let value = values[step.column];
+            match step.channel {
+                Channel::Position(axis) => offset[axis.index()] = value,
+                Channel::AddedPosition(axis) => offset[axis.index()] += value,
+                Channel::Rotation(axis) => turn(&mut rotation, axis, value),
+                Channel::Other => {}
+            }
         }
-    }
-    WorldFromJoint {
-        rotation,
-        position: parent.position + parent.rotation * offset,
+        WorldFromJoint {
+            rotation,
+            position: parent.position + parent.rotation * offset,
+        }
     }
 }
 
 /// Multiplies `rotation` from the right by a turn about one of its axes: only the two other
 /// columns change.
+#[inline]
 fn turn(rotation: &mut Matrix3<f64>, axis: Axis, degrees: f64) {
     if degrees == 0.0 {
         return;
@@ -134,5 +157,90 @@ fn turn(rotation: &mut Matrix3<f64>, axis: Axis, degrees: f64) {
         let (a, b) = (rotation[(row, first)], rotation[(row, second)]);
         rotation[(row, first)] = a * cosine + b * sine;
         rotation[(row, second)] = b * cosine - a * sine;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Isometry3, Rotation3, Translation3, UnitQuaternion};
+
+    use super::*;
+    use crate::bvh;
+
+    const FILE: &str = "HIERARCHY
+ROOT Hips { OFFSET 0 1 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT Spine { OFFSET 1 10 2
+    CHANNELS 4 Yrotation Xscale Xposition Zrotation
+    JOINT Head { OFFSET 0 5 0.5 CHANNELS 3 Xrotation Yrotation Zrotation
+      End Site { OFFSET 1 2 3 } } }
+  JOINT Leg { OFFSET 3 -1 0 CHANNELS 1 Xrotation
+    End Site { OFFSET 0 -9 1 } } }
+MOTION
+Frames: 2
+Frame Time: 0.04
+0 0 0 0 0 0 0 0 1 0 0 0 0 0
+7 8 9 10.5 -20 30 40 99 3 -50 60 170.25 -80 90
+";
+
+    fn rotation(axis: Vector3<f64>, degrees: f64) -> Isometry3<f64> {
+        let turn = Rotation3::new(axis * degrees.to_radians());
+        Isometry3::from_parts(Translation3::identity(), UnitQuaternion::from(turn))
+    }
+
+    /// Frame 1 of `FILE`, written out with nalgebra's own transformations.
+    fn expected() -> Vec<Isometry3<f64>> {
+        let (x, y, z) = (Vector3::x(), Vector3::y(), Vector3::z());
+        let at = Isometry3::translation;
+        let hips = at(7.0, 8.0, 9.0) * rotation(z, 10.5) * rotation(x, -20.0) * rotation(y, 30.0);
+        let spine = hips * at(3.0, 10.0, 2.0) * rotation(y, 40.0) * rotation(z, -50.0);
+        let turn = rotation(x, 60.0) * rotation(y, 170.25) * rotation(z, -80.0);
+        let head = spine * at(0.0, 5.0, 0.5) * turn;
+        let leg = hips * at(3.0, -1.0, 0.0) * rotation(x, 90.0);
+        let tip = head * at(1.0, 2.0, 3.0);
+        vec![hips, spine, head, tip, leg, leg * at(0.0, -9.0, 1.0)]
+    }
+
+    #[test]
+    fn joints_stand_where_the_product_of_all_transformations_puts_them() {
+        let clip = bvh::parse(FILE.as_bytes()).expect("a clip");
+        let kinematics = Kinematics::new(&clip, 0);
+        let mut pose = vec![WorldFromJoint::default(); kinematics.joint_count()];
+        kinematics.world_from_joint(1, &mut pose);
+        for (found, expected) in pose.iter().zip(expected()) {
+            let turn = expected.rotation.to_rotation_matrix().into_inner();
+            assert!((found.rotation - turn).norm() < 1e-14);
+            assert!((found.position - expected.translation.vector).norm() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn positions_are_those_of_the_poses() {
+        let clip = bvh::parse(FILE.as_bytes()).expect("a clip");
+        let mut kinematics = Kinematics::new(&clip, 0);
+        let mut positions = [0.0; 18];
+        kinematics.positions(1, &mut positions);
+        let expected: Vec<_> = expected()
+            .iter()
+            .flat_map(|joint| joint.translation.vector.data.0[0])
+            .collect();
+        let largest = positions
+            .iter()
+            .zip(&expected)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
+        assert!(largest < 1e-13, "{largest}");
+    }
+
+    #[test]
+    fn without_rotations_the_offsets_add_up() {
+        let clip = bvh::parse(FILE.as_bytes()).expect("a clip");
+        let kinematics = Kinematics::new(&clip, 0);
+        let mut pose = vec![WorldFromJoint::default(); kinematics.joint_count()];
+        kinematics.rest(&mut pose);
+        assert_eq!(pose[3].position, Vector3::new(2.0, 18.0, 5.5));
+        kinematics.world_from_joint(0, &mut pose);
+        assert_eq!(pose[3].position, Vector3::new(2.0, 17.0, 5.5));
+        assert_eq!(pose[3].rotation, Matrix3::identity());
     }
 }

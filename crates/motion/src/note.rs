@@ -57,13 +57,15 @@ pub fn fill(template: &str, details: &[String]) -> String {
     let mut rest = template;
     while let Some((before, after)) = rest.split_once('{') {
         text.push_str(before);
-        let (name, behind) = after.split_once('}').unwrap_or((after, ""));
-        let detail = name
-            .parse()
-            .ok()
-            .and_then(|index: usize| details.get(index));
-        text.push_str(detail.map_or("", String::as_str));
-        rest = behind;
+        let place = after.split_once('}');
+        let place = place.and_then(|(index, behind)| Some((index.parse::<usize>().ok()?, behind)));
+        if let Some((index, behind)) = place {
+            text.push_str(details.get(index).map_or("", String::as_str));
+            rest = behind;
+        } else {
+            text.push('{');
+            rest = after;
+        }
     }
     text.push_str(rest);
     text
@@ -162,6 +164,12 @@ mod tests {
         let expected =
             "“Frames:” says 10, 9 complete rows are present; the rows present were used.";
         assert_eq!(note.message(), expected);
+    }
+
+    #[test]
+    fn braces_of_the_template_and_of_details_stay() {
+        let details = ["{1}".to_owned(), "b".to_owned()];
+        assert_eq!(fill("“{” {0} {1} {x} {", &details), "“{” {1} b {x} {");
     }
 
     #[test]

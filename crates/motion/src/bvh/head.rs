@@ -7,7 +7,7 @@ use super::header::{self, Header};
 use super::hierarchy::{self, Cursor, Hierarchy};
 use super::lines::{Line, Lines};
 use super::notes::Notes;
-use super::place::{Position, is_blank};
+use super::place::{Place, Position, is_blank};
 use crate::note::NoteKind;
 
 /// Bytes within which a file shows that it is BVH.
@@ -87,7 +87,8 @@ impl Head {
             return Ok(());
         }
         if self.kept.is_empty() {
-            return Err(ParseError::new(ErrorKind::Empty, end.place, Vec::new()));
+            let first = Place { line: 1, column: 1 };
+            return Err(ParseError::new(ErrorKind::Empty, first, Vec::new()));
         }
         self.end_hierarchy(end)
     }
@@ -164,7 +165,7 @@ impl Head {
     fn is_row_start(&self, byte: u8) -> bool {
         let is_after_brace = || {
             let last = self.kept.last();
-            last.is_some_and(|line| closing_braces(&line.text) == line.text.len())
+            last.is_some_and(|line| line.text.trim_ascii_end().ends_with(b"}"))
         };
         self.lines.line().text.is_empty()
             && begins_number(byte)

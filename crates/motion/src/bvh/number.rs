@@ -133,6 +133,13 @@ pub fn is_cut(word: &[u8]) -> bool {
     begins_a_name || matches!(self::word(&[word, b"0"].concat()), Word::Number(_))
 }
 
+/// Whether a word begins as a number does.
+pub fn looks_like_one(word: &[u8]) -> bool {
+    let unsigned = word.strip_prefix(b"-").unwrap_or(word);
+    let digits = unsigned.strip_prefix(b".").unwrap_or(unsigned);
+    digits.first().is_some_and(u8::is_ascii_digit)
+}
+
 /// Which mark stands before the decimals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mark {
@@ -160,3 +167,6 @@ pub fn mixed_marks(word: &str, used: Mark, at: Place) -> ParseError {
     let details = vec![excerpt(word), used.to_owned()];
     ParseError::new(ErrorKind::MixedDecimalMarks, at, details)
 }
+
+#[cfg(test)]
+mod tests;

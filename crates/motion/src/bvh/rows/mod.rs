@@ -281,7 +281,8 @@ impl Rows {
     }
 
     fn text_begins(&mut self, word: &[u8], at: Place) -> Result<(), ParseError> {
-        if self.in_line > 0 && self.in_line != self.width {
+        let is_within_row = self.in_line > 0 && self.in_line != self.width;
+        if is_within_row || number::looks_like_one(word) {
             let details = vec![excerpt(&String::from_utf8_lossy(word))];
             return Err(ParseError::new(ErrorKind::NotANumber, at, details));
         }
