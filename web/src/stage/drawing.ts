@@ -10,7 +10,7 @@ import { presetView, type ViewPreset } from './view';
 const MOST_PIXEL_RATIO = 2;
 /** The time that a frame after a rest stands for. */
 const FIRST_STEP_MS = 16;
-const LONGEST_STEP_MS = 100;
+const LONGEST_STEP_MS = 250;
 
 /** null where the browser has no WebGL2. */
 export function createDrawing(target: HTMLElement, props: StageProps): Drawing | null {
@@ -40,6 +40,8 @@ export class Drawing {
   private direction: -1 | 0 | 1 = 0;
   private posesStale = true;
   private unframed = true;
+  /** The camera is still on its way. */
+  private moving = false;
   private lost = false;
   private request = 0;
   private requestedMs = 0;
@@ -124,9 +126,10 @@ export class Drawing {
     this.canvas.removeEventListener('webglcontextlost', this.onLost);
     this.canvas.removeEventListener('webglcontextrestored', this.onRestored);
     this.rig.dispose();
+    // A page has few contexts: this one is given back now, not when memory is tidied.
+    this.renderer.forceContextLoss();
     this.scene.dispose();
     this.renderer.dispose();
-    this.renderer.forceContextLoss();
     this.canvas.remove();
   }
 
@@ -201,12 +204,12 @@ export class Drawing {
     const startMs = performance.now();
     if (this.posesStale) this.readPoses();
     if (this.unframed) this.frameView(this.props.view ?? this.preset ?? 'side');
-    const moving = this.moveCamera(nowMs);
+    this.moveCamera(nowMs);
     this.scene.setGridCentre(this.rig.targetX, this.rig.targetZ);
     this.renderer.render(this.scene.scene, this.rig.camera);
     this.framesDrawn++;
     this.lastFrameMs = performance.now() - startMs;
-    if (moving) this.requestDraw();
+    if (this.moving) this.requestDraw();
   }
 
   private readPoses(): void {
@@ -214,15 +217,14 @@ export class Drawing {
     this.posesStale = !this.scene.showFrame(this.frame);
   }
 
-  /** true while the camera is still on its way. */
-  private moveCamera(nowMs: number): boolean {
+  private moveCamera(nowMs: number): void {
     const passedMs = nowMs - this.drawnMs;
-    const stepMs = passedMs > 0 && passedMs <= LONGEST_STEP_MS ? passedMs : FIRST_STEP_MS;
+    const stepMs = this.moving ? Math.min(Math.max(passedMs, 0), LONGEST_STEP_MS) : FIRST_STEP_MS;
     this.drawnMs = nowMs;
     this.followed.x = this.scene.centreX;
     this.followed.z = this.scene.centreZ;
     const followed = this.props.follow && this.scene.hasFigures ? this.followed : null;
-    return this.rig.step(stepMs / 1000, !this.props.reducedMotion, followed);
+    this.moving = this.rig.step(stepMs / 1000, !this.props.reducedMotion, followed);
   }
 }
 
