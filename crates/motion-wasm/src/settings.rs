@@ -1,0 +1,113 @@
+//! Decisions and options: plain objects of JavaScript go in, the core's types come out. An unknown
+//! name is an error; what is absent is as found, or the default.
+
+use motion::analysis::{Decisions, SettingsError};
+use motion::keypose::{Options, SelectionRule};
+use motion::world::{Unit, Up};
+use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &'static str = "import type { Decisions, MethodOptions } from '../types';";
+
+#[wasm_bindgen]
+extern "C" {
+    /// `Decisions` of TypeScript.
+    #[wasm_bindgen(typescript_type = "Decisions")]
+    pub type JsDecisions;
+    #[wasm_bindgen(method, getter, structural, js_name = frameRateHz)]
+    fn frame_rate_hz(this: &JsDecisions) -> Option<f64>;
+    #[wasm_bindgen(method, getter, structural, js_name = leadingRestFrames)]
+    fn leading_rest_frames(this: &JsDecisions) -> Option<f64>;
+    #[wasm_bindgen(method, getter, structural)]
+    fn up(this: &JsDecisions) -> Option<String>;
+    #[wasm_bindgen(method, getter, structural)]
+    fn unit(this: &JsDecisions) -> Option<String>;
+
+    /// `MethodOptions` of TypeScript.
+    #[wasm_bindgen(typescript_type = "MethodOptions")]
+    pub type JsOptions;
+    #[wasm_bindgen(method, getter, structural, js_name = lowPassHz)]
+    fn low_pass_hz(this: &JsOptions) -> Option<f64>;
+    #[wasm_bindgen(method, getter, structural, js_name = scaleMaxHz)]
+    fn scale_max_hz(this: &JsOptions) -> Option<f64>;
+    #[wasm_bindgen(method, getter, structural, js_name = scaleMinHz)]
+    fn scale_min_hz(this: &JsOptions) -> Option<f64>;
+    #[wasm_bindgen(method, getter, structural, js_name = scaleRatio)]
+    fn scale_ratio(this: &JsOptions) -> Option<f64>;
+    #[wasm_bindgen(method, getter, structural)]
+    fn selection(this: &JsOptions) -> Option<String>;
+}
+
+/// The core's decisions.
+pub fn decisions(from: &JsDecisions) -> Result<Decisions, SettingsError> {
+    Ok(Decisions {
+        frame_rate_hz: from.frame_rate_hz(),
+        leading_rest_frames: from.leading_rest_frames().map(whole).transpose()?,
+        up: from.up().map(up).transpose()?,
+        unit: from.unit().map(unit).transpose()?,
+    })
+}
+
+/// The core's options.
+pub fn options(from: &JsOptions) -> Result<Options, SettingsError> {
+    let default = Options::default();
+    Ok(Options {
+        low_pass_hz: from.low_pass_hz().unwrap_or(default.low_pass_hz),
+        scale_max_hz: from.scale_max_hz().unwrap_or(default.scale_max_hz),
+        scale_min_hz: from.scale_min_hz().unwrap_or(default.scale_min_hz),
+        scale_ratio: from.scale_ratio().unwrap_or(default.scale_ratio),
+        selection: from.selection().map_or(Ok(default.selection), selection)?,
+        ..default
+    })
+}
+
+fn whole(frames: f64) -> Result<usize, SettingsError> {
+    let is_whole = frames >= 0.0 && frames <= f64::from(u32::MAX) && frames.fract() == 0.0;
+    is_whole.then_some(frames as usize).ok_or(SettingsError {
+        field: "leading_rest_frames",
+        found: frames.to_string(),
+        expected: "a whole number from 0",
+    })
+}
+
+fn up(name: String) -> Result<Up, SettingsError> {
+    Up::from_name(&name).ok_or(SettingsError {
+        field: "up",
+        found: name,
+        expected: "+X, -X, +Y, -Y, +Z or -Z",
+    })
+}
+
+fn unit(name: String) -> Result<Unit, SettingsError> {
+    let found = Unit::ALL.into_iter().find(|unit| unit_name(*unit) == name);
+    found.ok_or(SettingsError {
+        field: "unit",
+        found: name,
+        expected: "m, dm, cmu, inch, cm or mm",
+    })
+}
+
+/// The name of a unit in TypeScript.
+pub fn unit_name(unit: Unit) -> &'static str {
+    match unit {
+        Unit::Metre => "m",
+        Unit::Decimetre => "dm",
+        Unit::Cmu => "cmu",
+        Unit::Inch => "inch",
+        Unit::Centimetre => "cm",
+        Unit::Millimetre => "mm",
+    }
+}
+
+fn selection(name: String) -> Result<SelectionRule, SettingsError> {
+    match name.as_str() {
+        "automatic" => Ok(SelectionRule::Automatic),
+        "literal" => Ok(SelectionRule::Literal),
+        "even-split" => Ok(SelectionRule::EvenSplit),
+        _ => Err(SettingsError {
+            field: "selection",
+            found: name,
+            expected: "automatic, literal or even-split",
+        }),
+    }
+}
