@@ -29,7 +29,11 @@ pub fn unreadable(error: &ParseError) -> JsError {
 
 /// A setting that cannot be.
 pub fn refused(error: &SettingsError) -> JsError {
-    let details = [error.field.to_owned(), error.found.clone(), error.expected.to_owned()];
+    let details = [
+        error.field.to_owned(),
+        error.found.clone(),
+        error.expected.to_owned(),
+    ];
     JsError::new(&json("setting", (None, None), &details).text())
 }
 

@@ -14,7 +14,10 @@ pub fn keyposes(analysis: &Analysis, index: usize) -> Option<&KeyposeAnalysis> {
 
 /// Frames of the file from frames of the speed.
 pub fn file_frames(keyposes: &KeyposeAnalysis, frames: &[usize]) -> Vec<i32> {
-    frames.iter().map(|frame| signed(keyposes.first_frame + frame)).collect()
+    frames
+        .iter()
+        .map(|frame| signed(keyposes.first_frame + frame))
+        .collect()
 }
 
 /// Indices as signed numbers of 32 bits, which hold all of them.

@@ -16,6 +16,12 @@ pub struct Sureness {
 }
 
 impl Sureness {
+    /// Where the cut is drawn: the middle of the lowest kept and the highest dropped intensity, of
+    /// 0 where nothing was dropped; none without a kept one.
+    pub fn cut(&self) -> Option<f64> {
+        Some((self.lowest_kept? + self.highest_dropped.unwrap_or(0.0)) / 2.0)
+    }
+
     /// Whether the cut is clear.
     pub fn is_sure(&self) -> bool {
         self.ratio >= SURE_FROM
