@@ -21,9 +21,10 @@ impl Digest {
         self.0.update(bytes);
     }
 
-    /// The digest in hexadecimal; the handle is freed.
-    pub fn finish(self) -> String {
+    /// The digest in hexadecimal.
+    pub fn hexadecimal(&self) -> String {
         self.0
+            .clone()
             .finalize()
             .iter()
             .map(|byte| format!("{byte:02x}"))

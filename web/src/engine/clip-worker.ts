@@ -2,9 +2,19 @@
  * What a worker does: requests about clips go in, outcomes with arrays to be handed over come out.
  * Every request carries all that is needed to begin again, so that nothing depends on its history.
  */
+import { transfer } from 'comlink';
 import { failureOf } from './failures';
+import { buffersOf } from './handing-over';
 import { HeldClip } from './held-clip';
-import type { ClipRef, JobId, Memory, Outcome, UnpackedEntry, WorkerApi, WorkerListener } from './protocol';
+import type {
+  ClipRef,
+  JobId,
+  Memory,
+  Outcome,
+  UnpackedEntry,
+  WorkerApi,
+  WorkerListener,
+} from './protocol';
 import { type Core, CoreFailure } from './raw';
 import { slicesOf } from './slices';
 import { Cancelled, Jobs } from './turns';
@@ -85,7 +95,7 @@ export class ClipWorker implements WorkerApi {
   exportText(job: JobId, clip: ClipRef, kind: ExportKind): Promise<Outcome<string>> {
     return this.withClip(job, clip, (held) =>
       held.inTurn(async () => {
-        if (!held.isAnalysed(clip)) {
+        if (held.analysedAs !== settingsKey(clip)) {
           await this.ensureMotion(job, clip, held);
           await this.runAnalysis(job, clip, held);
         }
@@ -153,7 +163,8 @@ export class ClipWorker implements WorkerApi {
     this.jobs.begin(job);
     try {
       const value = await work(await this.core());
-      return { status: 'done', value, memory: await this.memory(clip) };
+      const memory = await this.memory(clip);
+      return transfer({ status: 'done', value, memory }, buffersOf(value));
     } catch (error) {
       return this.failed(error, clip);
     } finally {
@@ -172,7 +183,7 @@ export class ClipWorker implements WorkerApi {
       return { status: 'failed', failure: failureOf(error.kind), memory: await this.memory(clip) };
     }
     // Anything else is the module's trap or a fault of this code: the worker is not to be trusted.
-    return { status: 'trapped', message: error instanceof Error ? error.message : String(error) };
+    return { status: 'trapped', message: String(error) };
   }
 
   private async core(): Promise<Core> {
@@ -215,6 +226,7 @@ export class ClipWorker implements WorkerApi {
 
   private async runAnalysis(job: JobId, clip: ClipRef, held: HeldClip): Promise<void> {
     held.core.beginAnalysis(clip.decisions, clip.options);
+    held.analysedAs = null;
     let done = 0;
     while (done < 1) {
       const end = performance.now() + TURN_MS;
@@ -223,15 +235,22 @@ export class ClipWorker implements WorkerApi {
       this.tell(job, { stage: 'analysing', done: whole });
       await this.jobs.turn(job);
     }
+    held.analysedAs = settingsKey(clip);
   }
 
   private async digest(job: JobId, blob: Blob): Promise<string> {
     const digest = (await this.loading).newDigest();
-    for await (const slice of slicesOf(blob)) {
-      digest.push(slice);
-      await this.jobs.turn(job);
+    try {
+      for await (const slice of slicesOf(blob)) {
+        digest.push(slice);
+        await this.jobs.turn(job);
+      }
+      return digest.hexadecimal();
+    } catch (error) {
+      throw readingError(error, true);
+    } finally {
+      digest.free();
     }
-    return digest.finish();
   }
 
   private tell(job: JobId, progress: Progress): void {
@@ -240,6 +259,11 @@ export class ClipWorker implements WorkerApi {
     this.lastProgress = now;
     this.listener?.progress(job, progress);
   }
+}
+
+/** Tells settings apart. */
+function settingsKey({ decisions, options }: ClipRef): string {
+  return JSON.stringify([decisions, options]);
 }
 
 /** A Blob that cannot be read any more belongs to a file that was changed or removed. */

@@ -4,7 +4,15 @@
  */
 import { failureOf } from './failures';
 import { MotionMemory } from './motion-memory';
-import { type Landed, Pool, type Spawn, type Task, TaskFailed, WorkerLost, abortError } from './pool';
+import {
+  type Landed,
+  Pool,
+  type Spawn,
+  type Task,
+  TaskFailed,
+  WorkerLost,
+  abortError,
+} from './pool';
 import type { ClipRef, UnpackedEntry } from './protocol';
 import {
   type ClipId,

@@ -12,6 +12,7 @@ export const ENGINE_FAILURES = [
   'archive-without-motions',
   'changed-on-disk',
   'engine-unavailable',
+  'no-such-sample',
   'not-an-archive',
   'not-open',
   'not-readable',

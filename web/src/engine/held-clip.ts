@@ -9,6 +9,8 @@ export class HeldClip {
   /** The reading under way, shared by all who wait for the motion. */
   reading: Promise<void> | null = null;
   sha256: string | null = null;
+  /** The settings of the results in the core; null while there are none. */
+  analysedAs: string | null = null;
   /** Poses of the thumbnails, which outlive the motion: one for each performer. */
   thumbnails: { readonly frame: number; readonly pose: Float32Array<ArrayBuffer> }[] = [];
   private readonly handle: CoreClip;

@@ -72,7 +72,7 @@ export function abortError(): DOMException {
 interface Flight {
   readonly job: JobId;
   readonly task: Task<unknown>;
-  settle(result: Landed<unknown> | Error): void;
+  readonly settle: (result: Landed<unknown> | Error) => void;
 }
 
 interface Slot {
@@ -90,7 +90,7 @@ interface Slot {
 interface Waiting {
   readonly slot: number | null;
   readonly task: Task<unknown>;
-  settle(result: Landed<unknown> | Error): void;
+  readonly settle: (result: Landed<unknown> | Error) => void;
 }
 
 export class Pool {
@@ -233,10 +233,14 @@ export class Pool {
       () => undefined,
     );
     // The second timer lets an answer in that arrived while this thread was busy.
-    setTimeout(() => setTimeout(() => {
-      const silent = !heard && slot.worker === worker && slot.flights.has(flight);
-      if (silent) this.dismiss(slot, () => new WorkerLost());
-    }), SILENCE_MS);
+    setTimeout(
+      () =>
+        setTimeout(() => {
+          const silent = !heard && slot.worker === worker && slot.flights.has(flight);
+          if (silent) this.dismiss(slot, () => new WorkerLost());
+        }),
+      SILENCE_MS,
+    );
   }
 
   /** The worker is dead: the flight that did it fails, the others begin again. */

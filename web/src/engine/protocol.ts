@@ -60,7 +60,12 @@ export interface WorkerApi {
   listen(listener: WorkerListener): void;
   /** Reads the clip if its motion is not there, and analyses it. */
   analyse(job: JobId, clip: ClipRef): Promise<Outcome<ClipResult>>;
-  poses(job: JobId, clip: ClipRef, performer: number, frames: Int32Array): Promise<Outcome<Float32Array>>;
+  poses(
+    job: JobId,
+    clip: ClipRef,
+    performer: number,
+    frames: Int32Array,
+  ): Promise<Outcome<Float32Array>>;
   poseRange(
     job: JobId,
     clip: ClipRef,

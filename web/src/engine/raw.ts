@@ -2,7 +2,13 @@
  * The only file that imports the generated WebAssembly bindings; the rest of the engine sees the
  * types of this one. Positions and numbers come out as copies that JavaScript owns.
  */
-import init, { ClipHandle, Digest, initSync, sampleBvh, sampleCatalogue } from './generated/motion_wasm';
+import init, {
+  ClipHandle,
+  Digest,
+  initSync,
+  sampleBvh,
+  sampleCatalogue,
+} from './generated/motion_wasm';
 import type {
   ClipResult,
   Decisions,
@@ -41,8 +47,8 @@ export interface Core {
 
 export interface CoreDigest {
   push(bytes: Uint8Array): void;
-  /** In hexadecimal; frees the digest. */
-  finish(): string;
+  hexadecimal(): string;
+  free(): void;
 }
 
 /** One clip in the memory of the core. */
@@ -72,16 +78,11 @@ export async function loadCore(wasm?: Uint8Array<ArrayBuffer>): Promise<Core> {
   const { memory } = wasm === undefined ? await init() : initSync({ module: wasm });
   return {
     newClip: () => new WasmClip(),
-    newDigest: () => newDigest(),
+    newDigest: () => new Digest(),
     samples: JSON.parse(sampleCatalogue()) as SampleInfo[],
     sample: (id) => (sampleBvh(id) as Uint8Array<ArrayBuffer> | undefined) ?? null,
     memoryBytes: () => memory.buffer.byteLength,
   };
-}
-
-function newDigest(): CoreDigest {
-  const digest = new Digest();
-  return { push: (bytes) => digest.push(bytes), finish: () => digest.finish() };
 }
 
 /** Runs a call into the core; what it throws on purpose is a failure written as JSON. */
@@ -167,13 +168,19 @@ interface PerformerSummary extends Omit<PerformerResult, 'skeleton' | 'feature' 
   readonly keyposes: KeyposeSummary | null;
 }
 
-interface KeyposeSummary
-  extends Pick<KeyposeResult, 'firstFrame' | 'maximumSpeed' | 'clusters' | 'anova' | 'cut'> {
+interface KeyposeSummary extends Pick<
+  KeyposeResult,
+  'firstFrame' | 'maximumSpeed' | 'clusters' | 'anova' | 'cut'
+> {
   /** null: nothing of weight was dropped. */
   readonly sureness: number | null;
 }
 
-function performerOf(handle: ClipHandle, summary: PerformerSummary, index: number): PerformerResult {
+function performerOf(
+  handle: ClipHandle,
+  summary: PerformerSummary,
+  index: number,
+): PerformerResult {
   const { labels, keyposes, ...rest } = summary;
   const feature = handle.feature(index);
   return {

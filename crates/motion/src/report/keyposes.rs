@@ -21,10 +21,7 @@ pub fn json_line(subject: &Subject, performer: usize, evaluation: Option<&Evalua
         Json::list(subject.clip.notes.iter().chain(&found.notes).map(note)),
     ));
     members.extend(keypose_members(subject, found));
-    members.push((
-        "feature",
-        found.feature.map(|feature| Json::list(feature)).into(),
-    ));
+    members.push(("feature", found.feature.map(Json::list).into()));
     if let Some(evaluation) = evaluation {
         members.push(("evaluation", evaluation_object(evaluation)));
     }

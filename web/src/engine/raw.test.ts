@@ -1,0 +1,125 @@
+/** Lifetimes and refusals at the border to the core. */
+import { beforeAll, describe, expect, it } from 'vitest';
+import { type Core, type CoreClip, CoreFailure } from './raw';
+import { testCore } from './test-engine';
+
+let core: Core;
+let walk: Uint8Array<ArrayBuffer>;
+
+beforeAll(async () => {
+  core = await testCore();
+  walk = core.sample('walk') ?? new Uint8Array();
+});
+
+function read(bytes: Uint8Array, sliceBytes = bytes.length): CoreClip {
+  const clip = core.newClip();
+  clip.beginReading(bytes.length);
+  for (let at = 0; at < bytes.length; at += sliceBytes)
+    clip.push(bytes.subarray(at, at + sliceBytes));
+  clip.endReading();
+  return clip;
+}
+
+function analysed(clip: CoreClip): CoreClip {
+  clip.beginAnalysis({}, {});
+  while (clip.step() < 1);
+  return clip;
+}
+
+describe('a clip in the core', () => {
+  it('cannot be used after it was freed, nor freed twice', () => {
+    const clip = read(walk);
+    clip.free();
+    expect(() => clip.hasMotion()).toThrow(/null pointer/);
+    expect(() => clip.poseRange(0, 0, 1)).toThrow(/null pointer/);
+    expect(() => clip.step()).toThrow(/null pointer/);
+    expect(() => clip.free()).toThrow(/null pointer/);
+  });
+
+  it('lives beside others', () => {
+    const [one, other] = [read(walk), read(walk, 1000)];
+    const before = one.poseRange(0, 0, 5);
+    expect(other.poseRange(0, 0, 5)).toEqual(before);
+    other.free();
+    expect(one.poseRange(0, 0, 5)).toEqual(before);
+    one.free();
+  });
+
+  it('gives copies, which later work does not touch', () => {
+    const clip = read(walk);
+    const poses = clip.poseRange(0, 0, 100);
+    const kept = poses.slice();
+    analysed(clip);
+    read(walk).free();
+    expect(poses).toEqual(kept);
+    clip.free();
+  });
+
+  it('keeps its results when its motion is dropped, and can be read again', () => {
+    const clip = analysed(read(walk));
+    const result = clip.result();
+    expect(clip.motionBytes()).toBeGreaterThan(100_000);
+    clip.dropMotion();
+    expect(clip.motionBytes()).toBe(0);
+    expect(clip.result()).toEqual(result);
+    expect(() => clip.poseRange(0, 0, 1)).toThrow('poses: there is no motion');
+    clip.beginReading(walk.length);
+    clip.push(walk);
+    clip.endReading();
+    expect(analysed(clip).result()).toEqual(result);
+    clip.free();
+  });
+
+  it('refuses calls out of order, in words', () => {
+    const clip = core.newClip();
+    expect(() => clip.push(walk)).toThrow('push: beginReading must come first');
+    expect(() => clip.endReading()).toThrow('endReading: beginReading must come first');
+    expect(() => clip.step()).toThrow('step: there is no motion');
+    expect(() => clip.beginAnalysis({}, {})).toThrow('beginAnalysis: there is no motion');
+    expect(() => clip.result()).toThrow('there are no results yet');
+    clip.free();
+  });
+
+  it('refuses frames and performers that are not there, with the numbers', () => {
+    const clip = read(walk);
+    expect(() => clip.poses(0, Int32Array.of(0, -1))).toThrow(
+      /frame -1 asked for, the clip has \d+/,
+    );
+    expect(() => clip.poseRange(0, 1e6, 1)).toThrow(/frame 1000000 asked for, the clip has \d+/);
+    expect(() => clip.poseRange(1, 0, 1)).toThrow('performer 1 asked for, the clip has 1');
+    clip.free();
+  });
+
+  it('tells the failure of a file with its place', () => {
+    const text = new TextEncoder().encode('HIERARCHY\nROOT a\n{\n OFFSET 0 0\n}\n');
+    let failure: unknown;
+    try {
+      read(text);
+    } catch (error) {
+      failure = error instanceof CoreFailure ? error.failure : error;
+    }
+    expect(failure).toMatchObject({ kind: 'short-offset', line: 4, details: ['a', '2'] });
+  });
+
+  it('shows the skeleton of a file without motion', () => {
+    const end = new TextDecoder().decode(walk).indexOf('MOTION');
+    const head = `${new TextDecoder().decode(walk.subarray(0, end))}MOTION\nFrames: 0\nFrame Time: 0.01\n`;
+    const clip = analysed(read(new TextEncoder().encode(head)));
+    const result = clip.result();
+    expect(result.frames).toBe(0);
+    expect(result.performers[0]?.keyposes).toBeNull();
+    expect(result.performers[0]?.unanalysed?.kind).toBe('no-motion');
+    expect(clip.poses(0, Int32Array.of(0)).some((value) => value !== 0)).toBe(true);
+    clip.free();
+  });
+
+  it('refuses unknown settings by name', () => {
+    const clip = read(walk);
+    const bad = (decisions: object) => () => clip.beginAnalysis(decisions, {});
+    expect(bad({ up: 'up' })).toThrow(CoreFailure);
+    expect(bad({ unit: 'ell' })).toThrow(CoreFailure);
+    expect(bad({ leadingRestFrames: 1.5 })).toThrow(CoreFailure);
+    expect(bad({ frameRateHz: Number.NaN })).toThrow(CoreFailure);
+    clip.free();
+  });
+});
