@@ -24,10 +24,8 @@ pub fn collect(paths: &[PathBuf]) -> Result<Vec<InputFile>> {
         if path.is_dir() {
             list_folder(path, &mut files)?;
         } else {
-            let metadata = path
-                .metadata()
+            path.metadata()
                 .with_context(|| format!("{}", path.display()))?;
-            debug_assert!(!metadata.is_dir());
             files.push(InputFile {
                 path: path.clone(),
                 label: file_name(path),
