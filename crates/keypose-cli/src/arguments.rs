@@ -28,6 +28,8 @@ pub enum Command {
     Inspect(Inspect),
     /// Finds the keyposes of each file.
     Keyposes(Keyposes),
+    /// Writes the sample motions into a folder, each with its true keyposes.
+    Samples(Samples),
 }
 
 /// `keypose inspect`.
@@ -65,6 +67,17 @@ pub struct Keyposes {
     /// The method's parameters.
     #[command(flatten)]
     pub method: Method,
+}
+
+/// `keypose samples`.
+#[derive(Args, Debug)]
+pub struct Samples {
+    /// The folder, made where it does not exist.
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// Which samples; all if none is named.
+    #[arg(value_name = "ID")]
+    pub ids: Vec<String>,
 }
 
 /// What a person decides about all files of the call; otherwise it is found in each.

@@ -7,6 +7,7 @@ mod inspect;
 mod judge;
 mod keyposes_text;
 mod marks;
+mod samples;
 mod study;
 
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -33,6 +34,7 @@ fn main() -> ExitCode {
     let result = match &arguments.command {
         Command::Inspect(inspect) => run_inspect(inspect, arguments.threads),
         Command::Keyposes(keyposes) => run_keyposes(keyposes, arguments.threads),
+        Command::Samples(wanted) => samples::write_all(&wanted.folder, &wanted.ids).map(|()| true),
     };
     match result {
         Ok(true) => ExitCode::SUCCESS,

@@ -1,0 +1,121 @@
+//! The command as a person runs it: samples written by itself, keyposes, errors, order.
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+/// A folder of its own for a test, emptied before use.
+fn folder(name: &str) -> PathBuf {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn keypose(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_keypose"))
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+#[test]
+fn samples_are_found_again_by_their_marks() {
+    let folder = folder("samples");
+    let path = folder.to_str().unwrap();
+    assert!(
+        keypose(&["samples", path, "walk-hik-30", "slow-dance-vrm-30"])
+            .status
+            .success()
+    );
+    let output = keypose(&["keyposes", path, "--json", "--marks", path]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let lines: Vec<Value> = text(&output.stdout)
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let files: Vec<&str> = lines
+        .iter()
+        .map(|line| line["file"].as_str().unwrap())
+        .collect();
+    assert_eq!(files, ["slow-dance-vrm-30.bvh", "walk-hik-30.bvh"]);
+    for line in &lines {
+        assert!(
+            line["evaluation"]["f"].as_f64().unwrap() >= 0.9,
+            "{}",
+            line["file"]
+        );
+        assert_eq!(line["body"]["kind"], "human");
+        assert_eq!(line["feature"].as_array().unwrap().len(), 12);
+    }
+}
+
+#[test]
+fn a_bad_file_is_one_line_and_the_others_are_done() {
+    let folder = folder("bad");
+    let path = folder.to_str().unwrap();
+    keypose(&["samples", path, "walk-hik-30"]);
+    fs::write(
+        folder.join("a.bvh"),
+        "HIERARCHY\nROOT hip\n{\n  OFFSET 0 x 0\n",
+    )
+    .unwrap();
+    let output = keypose(&["keyposes", path, "--csv"]);
+    assert_eq!(output.status.code(), Some(1));
+    let error = text(&output.stderr);
+    assert_eq!(error.lines().count(), 1, "{error}");
+    assert!(error.contains("a.bvh:4:12: "), "{error}");
+    let table = text(&output.stdout);
+    assert!(table.starts_with("file,performer,number,frame,time_s,intensity\r\n"));
+    assert!(table.lines().count() > 5);
+}
+
+#[test]
+fn the_same_bytes_for_any_number_of_threads() {
+    let folder = folder("threads");
+    let path = folder.to_str().unwrap();
+    keypose(&[
+        "samples",
+        path,
+        "walk-hik-30",
+        "walk-poser-30",
+        "walk-vrm-30",
+    ]);
+    let one = keypose(&["keyposes", path, "--json", "--threads", "1"]);
+    let three = keypose(&["keyposes", path, "--json", "--threads", "3"]);
+    assert!(!one.stdout.is_empty());
+    assert_eq!(one.stdout, three.stdout);
+}
+
+#[test]
+fn an_option_that_cannot_be_is_named() {
+    let output = keypose(&["keyposes", "--scale-ratio", "1.5", "nowhere.bvh"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(
+        text(&output.stderr),
+        "keypose: scale_ratio is 1.5; expected a number above 0 and below 1\n"
+    );
+}
+
+#[test]
+fn a_file_that_does_not_exist_is_named() {
+    let output = keypose(&["inspect", "nowhere.bvh"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("nowhere.bvh"));
+}
+
+#[test]
+fn inspect_shows_body_and_rest() {
+    let folder = folder("inspect");
+    let path = folder.to_str().unwrap();
+    keypose(&["samples", path, "walk-poser-30"]);
+    let output = text(&keypose(&["inspect", path]).stdout);
+    assert!(output.contains("human"), "{output}");
+    assert!(output.contains("left_shoulder   lShldr (name)"), "{output}");
+}
