@@ -32,16 +32,45 @@ const app = {
   },
 };
 
-const oneWay = {
-  files: ['web/src/**/*.ts'],
-  ignores: ['web/src/stage/**'],
-  rules: {
-    'no-restricted-imports': [
-      'error',
-      { paths: [{ name: 'three', message: 'three.js is used in web/src/stage only.' }] },
-    ],
-  },
+/** Modules that only some rooms may import; types may cross freely. */
+function restricted(files, ignores, patterns) {
+  return {
+    files,
+    ignores,
+    rules: { '@typescript-eslint/no-restricted-imports': ['error', { patterns }] },
+  };
+}
+
+const threeInStage = {
+  group: ['three', 'three/*'],
+  message: 'three.js is used in web/src/stage only.',
 };
+const wasmInEngine = {
+  group: ['**/generated/*'],
+  message: 'The WebAssembly module is used in web/src/engine only.',
+};
+const viewsShow = {
+  group: ['**/engine/*'],
+  allowTypeImports: true,
+  message: 'A view shows what the store holds; it does not call the engine.',
+};
+const engineFirst = {
+  regex: '^\\.\\./',
+  message: 'The engine knows nothing of the app.',
+};
+
+const viewRooms = ['figure', 'strip', 'timeline', 'stage'].map((room) => `web/src/${room}/**`);
+
+const oneWay = [
+  restricted(
+    ['web/src/**/*.ts'],
+    ['web/src/stage/**', 'web/src/engine/**'],
+    [threeInStage, wasmInEngine],
+  ),
+  restricted(['web/src/engine/**/*.ts'], [], [threeInStage, engineFirst]),
+  restricted(viewRooms, ['web/src/stage/**'], [threeInStage, wasmInEngine, viewsShow]),
+  restricted(['web/src/stage/**/*.ts'], [], [wasmInEngine, viewsShow]),
+];
 
 export default tseslint.config(
   { ignores: ['target/', 'tools/', 'dist/', 'web/src/engine/generated/', 'test-results/'] },

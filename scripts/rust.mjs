@@ -1,6 +1,6 @@
 // The Rust side of the set-up: the compiler, its wasm target, and wasm-pack with wasm-bindgen, which are
 // built once per user from tools/ and kept in a cache folder. Out: the folder that holds them.
-import { copyFileSync, existsSync, mkdirSync, renameSync, rmSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, renameSync, rmSync } from 'node:fs';
 import { homedir } from 'node:os';
 import { join } from 'node:path';
 import { output, root, run } from './process.mjs';
@@ -10,10 +10,22 @@ const target = 'wasm32-unknown-unknown';
 const programs = ['wasm-pack', 'wasm-bindgen'];
 const extension = process.platform === 'win32' ? '.exe' : '';
 
-/** Throws, saying how to get Rust, where there is none. */
+/** Throws, saying what to do, where there is no Rust or one older than Cargo.toml asks for. */
 export function requireRust() {
-  if (output('cargo', ['--version'])) return;
-  throw new Error('Rust is missing: install it from https://rustup.rs, then run this again.');
+  const found = output('rustc', ['--version'])?.match(/(\d+)\.(\d+)/);
+  if (!found || !output('cargo', ['--version'])) {
+    throw new Error('Rust is missing: install it from https://rustup.rs, then run this again.');
+  }
+  const manifest = readFileSync(join(root, 'Cargo.toml'), 'utf8');
+  const needed = manifest.match(/rust-version = "(\d+)\.(\d+)"/);
+  if (compareVersions(found, needed) >= 0) return;
+  throw new Error(
+    `Rust ${found[0]} is too old: run "rustup update" for ${needed[1]}.${needed[2]}.`,
+  );
+}
+
+function compareVersions([, major, minor], [, otherMajor, otherMinor]) {
+  return major - otherMajor || minor - otherMinor;
 }
 
 /** Adds the wasm target through rustup where the compiler has none. */

@@ -23,7 +23,14 @@ function ensurePackages() {
   stamp(stampFile, hash);
 }
 
+function requireNode() {
+  const [major, minor] = process.versions.node.split('.').map(Number);
+  if (major > 20 || (major === 20 && minor >= 19)) return;
+  throw new Error(`Node ${process.versions.node} is too old: 20.19 or newer is needed.`);
+}
+
 try {
+  requireNode();
   requireRust();
   ensurePackages();
   ensureWasmTarget(say);
