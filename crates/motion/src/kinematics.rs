@@ -33,10 +33,10 @@ impl Default for WorldFromJoint {
 pub struct Kinematics<'a> {
     clip: &'a Clip,
     performer: usize,
-    /// The channels of all joints that move anything, in the order of the file.
+    /// The channels of the joints to place that move anything, in the order of the file.
     moves: Vec<Move>,
-    /// The end of each joint's part of `moves`.
-    moves_end: Vec<usize>,
+    /// The joints to place, and the end of each one's part of `moves`.
+    placed: Vec<(usize, usize)>,
     pose: Vec<WorldFromJoint>,
 }
 
@@ -50,22 +50,59 @@ struct Move {
 impl<'a> Kinematics<'a> {
     /// The kinematics of one performer (from 0) of `clip`.
     pub fn new(clip: &'a Clip, performer: usize) -> Self {
-        let joints = &clip.performers[performer].skeleton.joints;
-        let mut moves = Vec::new();
-        let mut moves_end = Vec::with_capacity(joints.len());
-        for joint in joints {
-            let columns = joint.first_channel..;
-            let channels = columns.zip(joint.channels.iter().copied());
-            let channels = channels.filter(|(_, channel)| *channel != Channel::Other);
-            moves.extend(channels.map(|(column, channel)| Move { column, channel }));
-            moves_end.push(moves.len());
-        }
-        Self {
+        let joints = clip.performers[performer].skeleton.joints.len();
+        let mut kinematics = Self {
             clip,
             performer,
-            moves,
-            moves_end,
-            pose: vec![WorldFromJoint::default(); joints.len()],
+            moves: Vec::new(),
+            placed: Vec::with_capacity(joints),
+            pose: vec![WorldFromJoint::default(); joints],
+        };
+        kinematics.place(|_| true, |_| true);
+        kinematics
+    }
+
+    /// The same for some joints and those above them alone: in the poses of
+    /// [`Self::world_from_joint`] `positions` and `rotations` are right, all else is not.
+    #[must_use]
+    pub fn only(mut self, positions: &[usize], rotations: &[usize]) -> Self {
+        let all = self.joints();
+        let mut is_needed = vec![false; all.len()];
+        let mut turns = vec![false; all.len()];
+        for joint in rotations {
+            turns[*joint] = true;
+        }
+        for joint in positions.iter().chain(rotations) {
+            is_needed[*joint] = true;
+        }
+        for index in (1..all.len()).rev() {
+            if let Some(parent) = all[index].parent.filter(|_| is_needed[index]) {
+                is_needed[parent] = true;
+                turns[parent] = true;
+            }
+        }
+        self.place(|joint| is_needed[joint], |joint| turns[joint]);
+        self
+    }
+
+    /// Places the joints that `is_needed`, and turns those that `turns`.
+    fn place(&mut self, is_needed: impl Fn(usize) -> bool, turns: impl Fn(usize) -> bool) {
+        self.moves.clear();
+        self.placed.clear();
+        for (index, joint) in self.joints().iter().enumerate() {
+            if !is_needed(index) {
+                continue;
+            }
+            let columns = joint.first_channel..;
+            let channels = columns.zip(joint.channels.iter().copied());
+            let channels = channels.filter(|(_, channel)| match channel {
+                Channel::Position(_) | Channel::AddedPosition(_) => true,
+                Channel::Rotation(_) => turns(index),
+                Channel::Other => false,
+            });
+            let moves = channels.map(|(column, channel)| Move { column, channel });
+            self.moves.extend(moves);
+            self.placed.push((index, self.moves.len()));
         }
     }
 
@@ -84,8 +121,9 @@ impl<'a> Kinematics<'a> {
     pub fn world_from_joint(&self, frame: usize, pose: &mut [WorldFromJoint]) {
         let values = self.clip.frame_values(self.performer, frame);
         let mut first = 0;
-        for (index, (joint, &end)) in self.joints().iter().zip(&self.moves_end).enumerate() {
-            pose[index] = self.placed(joint, first..end, values, pose);
+        let joints = self.joints();
+        for &(index, end) in &self.placed {
+            pose[index] = self.moved(&joints[index], first..end, values, pose);
             first = end;
         }
     }
@@ -104,7 +142,7 @@ impl<'a> Kinematics<'a> {
     /// Fills `pose` with the pose that the OFFSETs alone make, every rotation being zero.
     pub fn rest(&self, pose: &mut [WorldFromJoint]) {
         for (index, joint) in self.joints().iter().enumerate() {
-            pose[index] = self.placed(joint, 0..0, &[], pose);
+            pose[index] = self.moved(joint, 0..0, &[], pose);
         }
     }
 
@@ -112,7 +150,7 @@ impl<'a> Kinematics<'a> {
         &self.clip.performers[self.performer].skeleton.joints
     }
 
-    fn placed(
+    fn moved(
         &self,
         joint: &Joint,
         moves: core::ops::Range<usize>,
@@ -242,5 +280,18 @@ Frame Time: 0.04
         kinematics.world_from_joint(0, &mut pose);
         assert_eq!(pose[3].position, Vector3::new(2.0, 17.0, 5.5));
         assert_eq!(pose[3].rotation, Matrix3::identity());
+    }
+
+    #[test]
+    fn some_joints_alone_stand_where_they_do_among_all() {
+        let clip = bvh::parse(FILE.as_bytes()).expect("a clip");
+        let all = Kinematics::new(&clip, 0);
+        let mut expected = vec![WorldFromJoint::default(); all.joint_count()];
+        all.world_from_joint(1, &mut expected);
+        let mut pose = vec![WorldFromJoint::default(); all.joint_count()];
+        all.only(&[3], &[4]).world_from_joint(1, &mut pose);
+        assert_eq!(pose[3].position, expected[3].position);
+        assert_eq!(pose[4], expected[4]);
+        assert_eq!(pose[5], WorldFromJoint::default());
     }
 }

@@ -109,20 +109,22 @@ impl<'a> TableBuilder<'a> {
             Role::RightAnkle,
             Role::RightToe,
         ];
-        let kinematics = Kinematics::new(clip, performer);
         let joints = body.analysed(clip, performer);
         let is_human = body.is_human();
         let of = |roles: &[Role]| roles.iter().filter_map(|role| body.joint(*role)).collect();
         let trunk: Vec<usize> = of(&[Role::Neck, Role::LeftAnkle, Role::RightAnkle]);
+        let hips = if is_human {
+            body.hips.to_vec()
+        } else {
+            Vec::new()
+        };
+        let needed = [joints.as_slice(), &hips].concat();
+        let kinematics = Kinematics::new(clip, performer).only(&needed, &[reference]);
         Self {
             pose: vec![WorldFromJoint::default(); kinematics.joint_count()],
             kinematics,
             reference,
-            hips: if is_human {
-                body.hips.to_vec()
-            } else {
-                Vec::new()
-            },
+            hips,
             feet: if is_human { of(&FEET) } else { joints.clone() },
             trunk: <[usize; 3]>::try_from(trunk).ok().filter(|_| is_human),
             table: PoseTable {
