@@ -97,8 +97,8 @@ export class CameraRig {
     return moving || following;
   }
 
-  /** From now on the camera keeps (x, z) in the middle. */
-  startFollowing(x: number, z: number): void {
+  /** From now on the camera keeps that place in the middle. */
+  startFollowing({ x, z }: { readonly x: number; readonly z: number }): void {
     this.follow.jumpTo(this.controls.target.x, this.controls.target.z);
     if (Math.hypot(x - this.follow.x, z - this.follow.z) > 0) this.events.onMove();
   }

@@ -10,6 +10,8 @@ import { presetView, type ViewPreset } from './view';
 const MOST_PIXEL_RATIO = 2;
 /** The time that a frame after a rest stands for. */
 const FIRST_STEP_MS = 16;
+/** The empty stage is seen from anywhere. */
+const NO_YAWS = { frontYawRad: 0, sideYawRad: 0.5 };
 const LONGEST_STEP_MS = 250;
 
 /** null where the browser has no WebGL2. */
@@ -32,7 +34,7 @@ export class Drawing {
   private readonly quality = new Quality();
   private readonly observer: ResizeObserver;
   private props: StageProps;
-  private preset: ViewPreset | null = null;
+  private preset: ViewPreset | null;
   private ends: (() => void)[] = [];
   private width = 0;
   private height = 0;
@@ -48,7 +50,6 @@ export class Drawing {
   private drawnMs = -Infinity;
   private framesDrawn = 0;
   private lastFrameMs = 0;
-  private readonly followed = { x: 0, z: 0 };
 
   constructor(
     target: HTMLElement,
@@ -60,10 +61,12 @@ export class Drawing {
     this.canvas = canvas;
     this.renderer = renderer;
     this.props = props;
+    this.preset = props.view;
     this.rig = new CameraRig(canvas, { onMove: this.requestDraw, onTurn: this.onTurn });
     canvas.addEventListener('mousedown', keepFocus);
     canvas.addEventListener('webglcontextlost', this.onLost);
     canvas.addEventListener('webglcontextrestored', this.onRestored);
+    this.rig.place(presetView('side', NO_YAWS, 1, this.scene.place), false);
     this.setLabel(props);
     this.scene.setPalette(readPalette(target, props.theme));
     this.setPerformers(props.performers);
@@ -79,8 +82,7 @@ export class Drawing {
       this.unframed ||= !sameWorld(props.performers, before.performers);
       this.setPerformers(props.performers);
     }
-    if (props.follow && !before.follow)
-      this.rig.startFollowing(this.scene.centreX, this.scene.centreZ);
+    if (props.follow && !before.follow) this.rig.startFollowing(this.scene.place);
     if (props.view !== null && props.view !== before.view) this.frameView(props.view);
     this.requestDraw();
   }
@@ -96,9 +98,8 @@ export class Drawing {
   frameView(preset: ViewPreset): void {
     this.preset = preset;
     const performer = this.props.performers[0] as StagePerformer | undefined;
-    if (performer === undefined || !this.scene.hasFigures) return;
-    const { centreX, centreZ } = this.scene;
-    const view = presetView(preset, performer, this.width / this.height, centreX, centreZ);
+    if (performer === undefined || !this.scene.ready) return;
+    const view = presetView(preset, performer, this.width / this.height, this.scene.place);
     this.rig.place(view, !this.unframed && !this.props.reducedMotion);
     this.unframed = false;
   }
@@ -153,7 +154,6 @@ export class Drawing {
   private readonly onTurn = (): void => {
     if (this.preset === null) return;
     this.preset = null;
-    this.props = { ...this.props, view: null };
     this.props.onViewChange?.(null);
   };
 
@@ -203,13 +203,20 @@ export class Drawing {
     if (this.lost || this.width === 0 || this.height === 0) return;
     const startMs = performance.now();
     if (this.posesStale) this.readPoses();
-    if (this.unframed) this.frameView(this.props.view ?? this.preset ?? 'side');
+    if (this.unframed && this.scene.ready) this.frameFirst();
     this.moveCamera(nowMs);
     this.scene.setGridCentre(this.rig.targetX, this.rig.targetZ);
     this.renderer.render(this.scene.scene, this.rig.camera);
     this.framesDrawn++;
     this.lastFrameMs = performance.now() - startMs;
     if (this.moving) this.requestDraw();
+  }
+
+  /** Other figures are framed by the preset in force, or from the side. */
+  private frameFirst(): void {
+    const turned = this.preset === null;
+    this.frameView(this.preset ?? 'side');
+    if (turned) this.props.onViewChange?.(this.preset);
   }
 
   private readPoses(): void {
@@ -221,9 +228,7 @@ export class Drawing {
     const passedMs = nowMs - this.drawnMs;
     const stepMs = this.moving ? Math.min(Math.max(passedMs, 0), LONGEST_STEP_MS) : FIRST_STEP_MS;
     this.drawnMs = nowMs;
-    this.followed.x = this.scene.centreX;
-    this.followed.z = this.scene.centreZ;
-    const followed = this.props.follow && this.scene.hasFigures ? this.followed : null;
+    const followed = this.props.follow && this.scene.ready ? this.scene.place : null;
     this.moving = this.rig.step(stepMs / 1000, !this.props.reducedMotion, followed);
   }
 }
@@ -233,14 +238,16 @@ function keepFocus(event: MouseEvent): void {
   event.preventDefault();
 }
 
-/** The same bodies in the same frame: the camera may stay where it is. */
+/** The same recording in the same frame, analysed anew perhaps: the camera may stay where it is. */
 function sameWorld(now: readonly StagePerformer[], before: readonly StagePerformer[]): boolean {
   return (
     now.length === before.length &&
     now.every(
       (performer, i) =>
-        performer.source === before[i].source &&
+        performer.source.frames === before[i].source.frames &&
+        performer.source.jointCount === before[i].source.jointCount &&
         performer.up.axis === before[i].up.axis &&
+        performer.groundHeight === before[i].groundHeight &&
         performer.body.height === before[i].body.height,
     )
   );

@@ -30,9 +30,8 @@ interface Figure extends GroundFigure {
 
 export class StageScene {
   readonly scene = new Scene();
-  /** Middle of the figures on the ground, in body heights. */
-  centreX = 0;
-  centreZ = 0;
+  /** Where the figures stand on the ground, in body heights. */
+  readonly place = { x: 0, z: 0, reach: 0 };
   private readonly background = new BackgroundView();
   private readonly shared: SharedUniforms = {
     cones: { value: null },
@@ -42,6 +41,8 @@ export class StageScene {
   private cones = new ConeTexture(0);
   private performers: readonly StagePerformer[] = [];
   private figures: Figure[] = [];
+  /** The figures are those of former performers. */
+  private outdated = false;
   private palette: Palette | null = null;
 
   constructor() {
@@ -49,8 +50,9 @@ export class StageScene {
     this.shared.cones.value = this.cones.texture;
   }
 
-  get hasFigures(): boolean {
-    return this.figures.length > 0;
+  /** The figures of the performers are there, and the place is theirs. */
+  get ready(): boolean {
+    return this.figures.length > 0 && !this.outdated;
   }
 
   setPalette(palette: Palette): void {
@@ -60,11 +62,11 @@ export class StageScene {
     for (const figure of this.figures) figure.view.setPalette(palette);
   }
 
-  /** Figures appear with the first frame whose poses are there. */
+  /** New figures take the place of the old ones with the first frame whose poses are there. */
   setPerformers(performers: readonly StagePerformer[]): void {
-    this.removeFigures();
     this.performers = performers;
-    if (performers.length > 0) this.ground.setCell(cellOf(performers[0]));
+    this.outdated = true;
+    if (performers.length === 0) this.removeFigures();
   }
 
   /** Shows a frame; false while poses are missing (the figures then stay as they were). */
@@ -73,7 +75,7 @@ export class StageScene {
     for (let i = 0; i < performers.length; i++) {
       if (poseAt(performers[i], frame) === null) return false;
     }
-    if (this.figures.length === 0 && performers.length > 0) this.addFigures(frame);
+    if (this.outdated) this.replaceFigures(frame);
     for (let i = 0; i < this.figures.length; i++) {
       const pose = poseAt(performers[i], frame);
       if (pose !== null) this.figures[i].pose.writePose(pose, this.cones, this.figures[i].first);
@@ -99,7 +101,11 @@ export class StageScene {
     this.background.dispose();
   }
 
-  private addFigures(frame: number): void {
+  private replaceFigures(frame: number): void {
+    this.removeFigures();
+    this.outdated = false;
+    if (this.performers.length === 0) return;
+    this.ground.setCell(cellOf(this.performers[0]));
     const clipFrame = sceneFrameOf(this.performers[0]);
     const poses = this.performers.map((performer) => firstPose(performer, frame, clipFrame));
     this.setTexture(poses.reduce((sum, pose) => sum + pose.bones.length, 0));
@@ -126,18 +132,19 @@ export class StageScene {
   }
 
   private placeFigures(): void {
-    const { figures } = this;
-    let x = 0;
-    let z = 0;
+    const { figures, place } = this;
+    const share = 1 / Math.max(1, figures.length);
+    place.x = place.z = place.reach = 0;
     for (const figure of figures) {
       figure.x = figure.pose.x;
       figure.z = figure.pose.z;
       figure.groundReach = figure.pose.groundReach;
-      x += figure.x;
-      z += figure.z;
+      place.x += figure.x * share;
+      place.z += figure.z * share;
     }
-    this.centreX = x / Math.max(1, figures.length);
-    this.centreZ = z / Math.max(1, figures.length);
+    for (const { x, z } of figures) {
+      place.reach = Math.max(place.reach, Math.hypot(x - place.x, z - place.z));
+    }
     this.ground.setFigures(figures);
   }
 

@@ -1,25 +1,38 @@
 import { describe, expect, it } from 'vitest';
 import { eased, mixViews, presetView, shortestTurn, type View } from './view';
 
+const alone = { x: 0, z: 0, reach: 0 };
 const yaws = { frontYawRad: 0.4, sideYawRad: 2.1 };
 
 describe('presetView', () => {
   it('looks at the figure from the yaw of the preset', () => {
-    expect(presetView('front', yaws, 2, 3, -1)).toMatchObject({
+    expect(presetView('front', yaws, 2, { x: 3, z: -1, reach: 0 })).toMatchObject({
       yawRad: 0.4,
       targetX: 3,
       targetZ: -1,
     });
-    expect(presetView('side', yaws, 2, 0, 0).yawRad).toBe(2.1);
-    expect(presetView('top', yaws, 2, 0, 0).elevationRad).toBeGreaterThan(1.5);
+    expect(presetView('side', yaws, 2, alone).yawRad).toBe(2.1);
+    expect(presetView('top', yaws, 2, alone).elevationRad).toBeGreaterThan(1.5);
   });
 
   it('frames a body height and a third, or more where the stage is narrow', () => {
-    const wide = presetView('side', yaws, 2, 0, 0);
+    const wide = presetView('side', yaws, 2, alone);
     const halfHeight = wide.distance * Math.tan((23 / 360) * Math.PI);
     expect(halfHeight).toBeCloseTo(0.67, 9);
-    const narrow = presetView('side', yaws, 0.5, 0, 0);
+    const narrow = presetView('side', yaws, 0.5, alone);
     expect(narrow.distance * Math.tan((23 / 360) * Math.PI) * 0.5).toBeCloseTo(0.6, 9);
+  });
+});
+
+describe('presetView of several figures', () => {
+  it('steps back until the outermost is in the picture', () => {
+    const near = presetView('side', yaws, 2, alone);
+    expect(presetView('side', yaws, 2, { x: 0, z: 0, reach: 0.3 }).distance).toBeCloseTo(
+      near.distance + 0.3,
+      9,
+    );
+    const wide = presetView('side', yaws, 1, { x: 0, z: 0, reach: 1 });
+    expect((wide.distance - 1) * Math.tan((23 / 360) * Math.PI)).toBeCloseTo(1.6, 9);
   });
 });
 

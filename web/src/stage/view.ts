@@ -28,19 +28,27 @@ export interface Yaws {
   readonly sideYawRad: number;
 }
 
-/** The preset's view of a figure that stands at (x, z); `aspect` is width / height of the stage. */
+/** Where the figures stand: their middle, and how far the outermost is from it. */
+export interface Place {
+  readonly x: number;
+  readonly z: number;
+  readonly reach: number;
+}
+
+/** The preset's view of the figures; `aspect` is width / height of the stage. */
 export function presetView(
   preset: ViewPreset,
   yaws: Yaws,
   aspect: number,
-  x: number,
-  z: number,
+  { x, z, reach }: Place,
 ): View {
-  const halfHeight = Math.max(FRAMED_HALF_HEIGHT, FRAMED_HALF_WIDTH / Math.max(aspect, 1e-3));
+  const halfWidth = FRAMED_HALF_WIDTH + reach;
+  const halfHeight = Math.max(FRAMED_HALF_HEIGHT, halfWidth / Math.max(aspect, 1e-3));
   return {
     yawRad: preset === 'side' ? yaws.sideYawRad : yaws.frontYawRad,
     elevationRad: preset === 'top' ? TOP_ELEVATION_RAD : EYE_ELEVATION_RAD,
-    distance: halfHeight / Math.tan((LENS_DEGREES * Math.PI) / 360),
+    // The nearest of several figures may stand before the middle.
+    distance: halfHeight / Math.tan((LENS_DEGREES * Math.PI) / 360) + reach,
     targetX: x,
     targetY: TARGET_HEIGHT,
     targetZ: z,
