@@ -221,8 +221,3 @@ struct FingerNumbers {
     thumb: Option<u32>,
     middle: Option<u32>,
 }
-
-/// The ends of both limbs.
-pub fn of_both(limbs: [Limb; 2], end: impl Fn(usize) -> usize) -> [usize; 2] {
-    [end(limbs[0][2]), end(limbs[1][2])]
-}

@@ -64,6 +64,29 @@ pub struct Pair {
     pub length: f64,
 }
 
+impl Pair {
+    /// The limbs on both chains that come nearest to `proportions`.
+    pub fn limbs(&self, tree: &Tree, proportions: Proportions) -> Option<[Limb; 2]> {
+        let [one, other] = &self.chains;
+        let limb = |chain| limb(tree, self.branch, chain, proportions);
+        Some([limb(one)?, limb(other)?])
+    }
+}
+
+/// The longest of `pairs` that has nothing in common with the limbs known.
+pub fn apart_from<'a>(tree: &Tree, pairs: &'a [Pair], known: [Limb; 2]) -> Option<&'a Pair> {
+    let is_apart = |pair: &&Pair| {
+        let starts = pair.chains.iter().map(|chain| chain[0]);
+        let meets = |start: usize, limb: &Limb| {
+            tree.contains(start, limb[2]) || tree.contains(limb[0], start)
+        };
+        !starts
+            .into_iter()
+            .any(|start| known.iter().any(|limb| meets(start, limb)))
+    };
+    pairs.iter().find(is_apart)
+}
+
 /// All pairs of mirror-image chains that are not inside one another, the longest first.
 pub fn pairs(tree: &Tree) -> Vec<Pair> {
     let reach = reaches(tree);
@@ -174,7 +197,7 @@ fn difference(tree: &Tree, one: &[usize], other: &[usize]) -> f64 {
 
 /// The three joints of a chain that come nearest to `proportions`. The last of them stands at or
 /// before the joint where the chain divides into fingers or toes.
-pub fn limb(tree: &Tree, branch: usize, chain: &[usize], proportions: Proportions) -> Option<Limb> {
+fn limb(tree: &Tree, branch: usize, chain: &[usize], proportions: Proportions) -> Option<Limb> {
     let reach = reaches(tree);
     let last = *chain.last()?;
     let measured = Measured {
