@@ -220,19 +220,15 @@ mod tests {
     use super::*;
     use crate::body::PRINCIPAL_JOINTS;
 
-    /// Frames whose arms point `sideways`, then steps of `walk` along z with the arms down.
-    fn track(frames: usize, rest: usize, sideways: f64, blend: bool) -> PelvisTrack {
+    /// Frames with the wrists `sideways` (1: straight out), hanging where there are no more values; a toe
+    /// walks on slowly.
+    fn track(sideways: &[f64]) -> PelvisTrack {
         let mut coordinates = Vec::new();
-        for frame in 0..frames {
+        for frame in 0..100 {
             let mut pose = [[0.0_f64; 3]; PRINCIPAL_JOINTS];
-            let end = if blend { 2 * rest } else { rest };
-            let out = match frame {
-                _ if frame >= end => 0.0,
-                _ if blend => 1.0 - frame as f64 / end as f64,
-                _ => 1.0,
-            };
+            let out = sideways.get(frame).copied().unwrap_or(0.0);
             for (wrist, sign) in [(Role::LeftWrist, 1.0), (Role::RightWrist, -1.0)] {
-                pose[wrist.index()] = [sign * sideways * out, out - 1.0, 0.0];
+                pose[wrist.index()] = [sign * out, out - 1.0, 0.0];
             }
             pose[Role::LeftToe.index()][2] = 0.001 * frame as f64;
             coordinates.extend(pose.iter().flatten());
@@ -244,28 +240,44 @@ mod tests {
         }
     }
 
+    fn found(track: &PelvisTrack) -> (usize, Option<RestReason>) {
+        let found = leading_rest_frames(track, track.frames(), true);
+        (found.frames, found.reason)
+    }
+
     #[test]
-    fn a_t_pose_of_one_or_two_frames_is_left_out() {
+    fn a_t_pose_of_some_frames_is_left_out() {
         for rest in [1, 2, 5] {
-            let track = track(100, rest, 1.0, false);
-            let found = leading_rest_frames(&track, 100, true);
-            assert_eq!(found.frames, rest);
-            assert_eq!(found.reason, Some(RestReason::TPose));
+            let track = track(&vec![1.0; rest]);
+            assert_eq!(found(&track), (rest, Some(RestReason::TPose)));
         }
     }
 
     #[test]
-    fn arms_that_hang_are_no_t_pose_but_may_be_a_jump() {
-        let track = track(100, 1, 0.0, false);
-        let found = leading_rest_frames(&track, 100, true);
-        assert_eq!(found.reason, Some(RestReason::Jump));
+    fn a_blended_t_pose_is_left_out_with_its_tail() {
+        let track = track(&[1.0, 0.8, 0.6, 0.4, 0.2, 0.15, 0.1, 0.05]);
+        assert_eq!(found(&track), (8, Some(RestReason::BlendedTPose)));
+    }
+
+    #[test]
+    fn arms_that_are_lowered_slowly_are_movement() {
+        let lowered: Vec<f64> = (0..30).map(|n| 1.0 - f64::from(n) / 30.0).collect();
+        assert_eq!(found(&track(&lowered)), (0, None));
+    }
+
+    #[test]
+    fn another_pose_alone_is_a_jump() {
+        let mut track = track(&[]);
+        track.coordinates[3 * Role::Head.index()] = 2.0;
+        assert_eq!(found(&track), (1, Some(RestReason::Jump)));
+        assert_eq!(leading_rest_frames(&track, 100, false).frames, 1);
         assert_eq!(leading_rest_frames(&track, 11, true), LeadingRest::NONE);
     }
 
     #[test]
     fn a_steady_motion_keeps_all_frames() {
-        let track = track(100, 0, 1.0, false);
-        assert_eq!(leading_rest_frames(&track, 100, true), LeadingRest::NONE);
+        let track = track(&[1.0; 100]);
+        assert_eq!(found(&track), (0, None));
         assert_eq!(leading_rest_frames(&track, 100, false), LeadingRest::NONE);
     }
 }
