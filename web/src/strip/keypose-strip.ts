@@ -106,7 +106,7 @@ export class KeyposeStrip {
   private layout(): void {
     const { frames, keyposes } = this.props
     const axis = new Axis(Math.max(0, this.root.clientWidth - GUTTER_WIDTH), Math.max(0, frames - 1))
-    const at = keyposes === null ? [] : Array.from(keyposes.keyposes, (c) => keyposes.candidates[c]!)
+    const at = keyposes === null ? [] : Array.from(keyposes.keyposes, (c) => keyposes.candidates[c])
     const pinX = at.map((frame) => axis.x(frame))
     const { cards, cardWidth } = layoutStrip(pinX, intensitiesOf(keyposes), axis.width)
     this.writeGutter(cards.length, at.length)
@@ -134,7 +134,7 @@ export class KeyposeStrip {
 
   private card(card: Card, width: number, scale: number, frames: readonly number[]): HTMLButtonElement {
     const { text, frameTimeS } = this.props
-    const timeS = frames[card.keypose]! * frameTimeS
+    const timeS = frames[card.keypose] * frameTimeS
     const button = element('button', 'keypose-card') as HTMLButtonElement
     button.type = 'button'
     button.style.left = `${card.x - width / 2}px`
@@ -171,7 +171,7 @@ export class KeyposeStrip {
     const ground = document.createElementNS(SVG_NAMESPACE, 'path')
     ground.setAttribute('class', 'strip-ground')
     ground.setAttribute('d', `M0 ${GROUND_Y + 0.5}H${width}`)
-    this.threadOf = new Map(cards.map((card) => [card.keypose, thread(card.x, pinX[card.keypose]!)]))
+    this.threadOf = new Map(cards.map((card) => [card.keypose, thread(card.x, pinX[card.keypose])]))
     this.threads.replaceChildren(ground, ...this.threadOf.values())
   }
 
@@ -203,7 +203,7 @@ export class KeyposeStrip {
 }
 
 function intensitiesOf(keyposes: KeyposeResult | null): number[] {
-  return keyposes === null ? [] : Array.from(keyposes.keyposes, (c) => keyposes.intensities[c]!)
+  return keyposes === null ? [] : Array.from(keyposes.keyposes, (c) => keyposes.intensities[c])
 }
 
 function thread(cardX: number, pinX: number): SVGPathElement {

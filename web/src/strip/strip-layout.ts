@@ -28,13 +28,13 @@ export function layoutStrip(pinX: ArrayLike<number>, intensities: ArrayLike<numb
   if (shown.length === 0) return { cards: [], cardWidth: SMALLEST_CARD }
   const cardWidth = Math.min(WIDEST_CARD, Math.floor((width - 2 * MARGIN) / shown.length))
   const low = cardWidth / 2 + MARGIN
-  const xs = spread(shown.map((keypose) => pinX[keypose]!), cardWidth, low, width - low)
-  return { cards: shown.map((keypose, index) => ({ keypose, x: xs[index]! })), cardWidth }
+  const xs = spread(shown.map((keypose) => pinX[keypose]), cardWidth, low, width - low)
+  return { cards: shown.map((keypose, index) => ({ keypose, x: xs[index] })), cardWidth }
 }
 
 function mostIntense(intensities: ArrayLike<number>, count: number): number[] {
   return Array.from({ length: intensities.length }, (_, index) => index)
-    .sort((a, b) => intensities[b]! - intensities[a]! || a - b)
+    .sort((a, b) => intensities[b] - intensities[a] || a - b)
     .slice(0, count)
     .sort((a, b) => a - b)
 }

@@ -24,9 +24,9 @@ export function layoutPins(frames: ArrayLike<number>, axis: Axis): Pin[] {
 }
 
 function touches(frames: ArrayLike<number>, index: number, axis: Axis): boolean {
-  return axis.x(frames[index]!) - axis.x(frames[index - 1]!) < MINIMUM_DISTANCE
+  return axis.x(frames[index]) - axis.x(frames[index - 1]) < MINIMUM_DISTANCE
 }
 
 function middle(frames: ArrayLike<number>, first: number, last: number, axis: Axis): number {
-  return (axis.x(frames[first]!) + axis.x(frames[last]!)) / 2
+  return (axis.x(frames[first]) + axis.x(frames[last])) / 2
 }

@@ -49,7 +49,7 @@ export class PinRow {
     button.textContent = several ? text.count(pin.last - pin.first + 1) : ''
     const name = several
       ? text.keyposes(pin.first + 1, pin.last + 1, frames.length)
-      : text.keypose(pin.first + 1, frames.length, frames[pin.first]! * frameTimeS)
+      : text.keypose(pin.first + 1, frames.length, frames[pin.first] * frameTimeS)
     button.setAttribute('aria-label', name)
     button.title = name
     button.addEventListener('click', () => this.onPick(this.next(pin)))

@@ -7,7 +7,7 @@ describe('rulerTicks', () => {
     const axis = new Axis(760, 480)
     const majors = rulerTicks(axis, 1 / 120).filter((tick) => tick.size === 'major')
     expect(majors.map((tick) => tick.timeS)).toEqual([0, 0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4])
-    expect(majors[1]!.frame).toBe(60)
+    expect(majors[1].frame).toBe(60)
   })
 
   it('never lets labels touch, from a moment to ten hours', () => {

@@ -35,8 +35,8 @@ function reduceColumn(
   let low = Math.min(between(values, from), between(values, to))
   let high = Math.max(between(values, from), between(values, to))
   for (let index = Math.ceil(from); index <= to; index++) {
-    low = Math.min(low, values[index]!)
-    high = Math.max(high, values[index]!)
+    low = Math.min(low, values[index])
+    high = Math.max(high, values[index])
   }
   minimum[column] = low
   maximum[column] = high
@@ -45,7 +45,7 @@ function reduceColumn(
 function between(values: Float64Array, position: number): number {
   const left = Math.floor(position)
   const right = Math.min(values.length - 1, left + 1)
-  return values[left]! + (values[right]! - values[left]!) * (position - left)
+  return values[left] + (values[right] - values[left]) * (position - left)
 }
 
 function clamp(position: number, last: number): number {

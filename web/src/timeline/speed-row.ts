@@ -49,7 +49,7 @@ function fillArea(context: CanvasRenderingContext2D, columns: Columns, maximum: 
 function strokeTrend(context: CanvasRenderingContext2D, trend: Columns, maximum: number, colour: string): void {
   context.beginPath()
   trend.maximum.forEach((speed, index) => {
-    const middle = (speed + trend.minimum[index]!) / 2
+    const middle = (speed + trend.minimum[index]) / 2
     context.lineTo(trend.firstX + index, speedY(middle, maximum))
   })
   context.setLineDash([3, 3])
@@ -62,9 +62,9 @@ function strokeTrend(context: CanvasRenderingContext2D, trend: Columns, maximum:
 /** A line through both ends of every column, the end nearer to the last point first. */
 function strokeCurve(context: CanvasRenderingContext2D, columns: Columns, maximum: number, ink: string): void {
   context.beginPath()
-  let previous = columns.minimum[0]!
+  let previous = columns.minimum[0]
   columns.minimum.forEach((low, index) => {
-    const high = columns.maximum[index]!
+    const high = columns.maximum[index]
     const rising = previous - low <= high - previous
     const ends = rising ? [low, high] : [high, low]
     for (const speed of ends) context.lineTo(columns.firstX + index, speedY(speed, maximum))

@@ -151,7 +151,7 @@ export class Timeline {
     const frames = keyposes === null ? new Int32Array() : keyposeFrames(keyposes)
     const pins = layoutPins(frames, this.axis)
     this.pins.update(pins, frames, frameTimeS, text)
-    this.stems.replaceChildren(...pins.flatMap((pin) => this.stem(pin.x, frames[pin.first]!)))
+    this.stems.replaceChildren(...pins.flatMap((pin) => this.stem(pin.x, frames[pin.first])))
   }
 
   private stem(x: number, frame: number): HTMLElement[] {
@@ -195,7 +195,7 @@ export class Timeline {
     const current = this.pins.currentPin
     const stems = this.stems.children
     for (let index = 0; index < stems.length; index++) {
-      stems[index]!.classList.toggle('current', Math.floor(index / 2) === current)
+      stems[index].classList.toggle('current', Math.floor(index / 2) === current)
     }
   }
 
@@ -207,7 +207,7 @@ export class Timeline {
 
   private seekKeypose(keypose: number): void {
     const { keyposes } = this.props
-    if (keyposes !== null) this.events.onSeek(keyposeFrames(keyposes)[keypose]!)
+    if (keyposes !== null) this.events.onSeek(keyposeFrames(keyposes)[keypose])
   }
 
   private listen(): void {
@@ -230,7 +230,7 @@ const PIN_AND_RULER_HEIGHT = 46
 
 /** The frames of the keyposes, in time order. */
 export function keyposeFrames(keyposes: KeyposeResult): Int32Array {
-  return keyposes.keyposes.map((candidate) => keyposes.candidates[candidate]!)
+  return keyposes.keyposes.map((candidate) => keyposes.candidates[candidate])
 }
 
 function element(name: string, className: string): HTMLElement {
