@@ -1,11 +1,12 @@
 /** In: performers, their poses, a palette. Out: the three.js scene: background, ground, figures. */
-import { Scene } from 'three';
+import { type Mesh, Scene } from 'three';
 import type { PerformerResult } from '../engine/types';
 import type { PoseSource } from '../engine/pose-source';
 import { type FigurePerformer, type SceneFrame, sceneFrameOf } from '../figure/up-frame';
 import { BackgroundView } from './background-view';
 import { ConeTexture } from './cone-texture';
-import { FigurePose, FigureView, type SharedUniforms } from './figure-view';
+import { FigurePose } from './figure-pose';
+import { figureMesh, FigureMaterial, type SharedUniforms } from './figure-view';
 import { type GroundFigure, GroundView } from './ground-view';
 import { type Palette, SUN_DIRECTION } from './palette';
 
@@ -22,7 +23,7 @@ const CELL = 0.5;
 
 interface Figure extends GroundFigure {
   readonly pose: FigurePose;
-  readonly view: FigureView;
+  readonly mesh: Mesh;
   x: number;
   z: number;
   groundReach: number;
@@ -43,10 +44,12 @@ export class StageScene {
   private figures: Figure[] = [];
   /** The figures are those of former performers. */
   private outdated = false;
-  private palette: Palette | null = null;
+  private readonly material = new FigureMaterial(this.shared);
+  /** Draws nothing, but has the figures' shader compiled before the first figure comes. */
+  private readonly herald = figureMesh(this.material, 0, 0);
 
   constructor() {
-    this.scene.add(this.background.mesh, this.ground.mesh);
+    this.scene.add(this.background.mesh, this.ground.mesh, this.herald);
     this.shared.cones.value = this.cones.texture;
   }
 
@@ -56,10 +59,9 @@ export class StageScene {
   }
 
   setPalette(palette: Palette): void {
-    this.palette = palette;
     this.background.setPalette(palette);
     this.ground.setPalette(palette);
-    for (const figure of this.figures) figure.view.setPalette(palette);
+    this.material.setPalette(palette);
   }
 
   /** New figures take the place of the old ones with the first frame whose poses are there. */
@@ -96,6 +98,8 @@ export class StageScene {
 
   dispose(): void {
     this.removeFigures();
+    this.herald.geometry.dispose();
+    this.material.dispose();
     this.cones.dispose();
     this.ground.dispose();
     this.background.dispose();
@@ -118,11 +122,10 @@ export class StageScene {
 
   private createFigure(pose: FigurePose, first: number): Figure {
     this.cones.setBones(pose.bones, first);
-    const view = new FigureView(pose.bones.length, first, this.shared);
-    if (this.palette) view.setPalette(this.palette);
-    this.scene.add(view.mesh);
     const count = pose.bones.length;
-    return { pose, view, first, count, x: 0, z: 0, groundReach: 0 };
+    const mesh = figureMesh(this.material, first, count);
+    this.scene.add(mesh);
+    return { pose, mesh, first, count, x: 0, z: 0, groundReach: 0 };
   }
 
   private setTexture(cones: number): void {
@@ -149,9 +152,9 @@ export class StageScene {
   }
 
   private removeFigures(): void {
-    for (const { view } of this.figures) {
-      this.scene.remove(view.mesh);
-      view.dispose();
+    for (const { mesh } of this.figures) {
+      this.scene.remove(mesh);
+      mesh.geometry.dispose();
     }
     this.figures = [];
     this.ground.setFigures([]);
