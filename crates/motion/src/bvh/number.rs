@@ -1,5 +1,7 @@
 //! Numbers: bytes of a row go in, the `f64` that `str::parse` makes of them comes out.
 
+mod wide;
+
 use super::error::{ErrorKind, ParseError, excerpt};
 use super::place::Place;
 
@@ -16,9 +18,7 @@ const MOST_DIGITS: usize = 19;
 const MOST_EXACT: u64 = 1 << 53;
 
 /// Reads the number at `start` up to the first byte that does not belong to it, if it is of a
-/// plain shape: at most 19 digits, an exponent of at most 22 and a significand that an `f64`
-/// holds exactly. Then one multiplication or division by an exact power of ten rounds right
-/// (Clinger, *How to read floating point numbers accurately*, 1990, §3).
+/// plain shape: at most 19 digits, zeros at the beginning aside, and a small exponent.
 #[inline]
 pub fn plain(bytes: &[u8], start: usize) -> Option<(f64, usize)> {
     let is_negative = bytes.get(start) == Some(&b'-');
@@ -33,20 +33,32 @@ pub fn plain(bytes: &[u8], start: usize) -> Option<(f64, usize)> {
         count += end - decimals;
         exponent = -((end - decimals) as i64);
     }
+    if count == 0 || (count > MOST_DIGITS && count - zeros(&bytes[first..]) > MOST_DIGITS) {
+        return None;
+    }
     if let Some(b'e' | b'E') = bytes.get(end) {
         let (power, after) = power(bytes, end + 1)?;
         exponent += power;
         end = after;
     }
-    if !(1..=MOST_DIGITS).contains(&count) || significand > MOST_EXACT {
-        return None;
+    let size = scaled(significand, exponent)?;
+    Some((if is_negative { -size } else { size }, end))
+}
+
+/// `significand · 10^exponent`. Where both are exact in an `f64`, one multiplication or division
+/// rounds right (Clinger, *How to read floating point numbers accurately*, 1990, §3).
+#[inline]
+fn scaled(significand: u64, exponent: i64) -> Option<f64> {
+    let power = exponent.unsigned_abs() as usize;
+    if significand > MOST_EXACT {
+        let is_wide = exponent < 0 && power <= wide::MOST_POWER;
+        return is_wide.then(|| wide::divided(significand, power));
     }
-    let exact = EXACT_POWERS.get(exponent.unsigned_abs() as usize)?;
-    let size = match exponent < 0 {
+    let exact = EXACT_POWERS.get(power)?;
+    Some(match exponent < 0 {
         true => significand as f64 / exact,
         false => significand as f64 * exact,
-    };
-    Some((if is_negative { -size } else { size }, end))
+    })
 }
 
 #[inline]
@@ -61,6 +73,12 @@ fn digits(bytes: &[u8], start: usize, before: u64) -> (u64, usize) {
         at += 1;
     }
     (value, at)
+}
+
+/// The zeros with which a number begins.
+fn zeros(number: &[u8]) -> usize {
+    let beginning = number.iter().take_while(|byte| matches!(byte, b'0' | b'.'));
+    beginning.filter(|byte| **byte == b'0').count()
 }
 
 /// The power of ten after an `e`.
