@@ -20,7 +20,8 @@ pub fn head(tree: &Tree, readings: &[Reading], legs: [Limb; 2], arms: [Limb; 2])
     let named = (0..tree.len()).filter(fits);
     let best =
         named.min_by_key(|joint| (!tree.contains(branch, *joint), tree.depth(*joint), *joint));
-    best.or_else(|| top(tree, readings, branch, arms))
+    best.or_else(|| top(tree, readings, branch, arms, false))
+        .or_else(|| top(tree, readings, branch, arms, true))
 }
 
 /// Whether a joint stands above or on a limb.
@@ -29,12 +30,19 @@ fn meets(tree: &Tree, joint: usize, limb: Limb) -> bool {
 }
 
 /// The last joint of the longest chain without side that leaves `branch` beside the arms; a chain
-/// ends where it divides, for a face or hair begins there.
-fn top(tree: &Tree, readings: &[Reading], branch: usize, arms: [Limb; 2]) -> Option<usize> {
+/// ends where it divides, for a face or hair begins there. A nose is a head only `with_face`.
+fn top(
+    tree: &Tree,
+    readings: &[Reading],
+    branch: usize,
+    arms: [Limb; 2],
+    with_face: bool,
+) -> Option<usize> {
     let is_free = |joint: &usize| {
         let reading = &readings[*joint];
-        let is_other =
-            reading.side.is_some() || reading.is_helper || reading.strength(Part::Face) > 0;
+        let is_other = reading.side.is_some()
+            || reading.is_helper
+            || (reading.strength(Part::Face) > 0 && !with_face);
         !is_other && !arms.iter().any(|limb| meets(tree, *joint, *limb))
     };
     let mut best: Option<(f64, usize)> = None;
