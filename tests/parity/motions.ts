@@ -1,0 +1,40 @@
+// The motions that parity is tested on: the clips with reference values, where the test data is there, and
+// the samples. Out: each with its name and bytes, as files for the command line.
+import { mkdtempSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import type { Core } from '../../web/src/engine/raw';
+import { dataFolder } from '../support/data';
+
+export interface MotionFile {
+  readonly name: string;
+  readonly path: string;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+}
+
+function fileAt(path: string, name: string): MotionFile {
+  return { name, path, bytes: new Uint8Array(readFileSync(path)) };
+}
+
+function goldenClips(): MotionFile[] {
+  const folder = dataFolder();
+  if (folder === null) return [];
+  const names = readdirSync(join(folder, 'golden')).filter((name) => name.endsWith('.json'));
+  return names.sort().map((json) => {
+    const name = json.replace('.json', '.bvh');
+    return fileAt(join(folder, 'cmu', name), name);
+  });
+}
+
+function samples(core: Core): MotionFile[] {
+  const folder = mkdtempSync(join(tmpdir(), 'keypose-parity-'));
+  return core.samples.map(({ id, fileName }) => {
+    const path = join(folder, fileName);
+    writeFileSync(path, core.sample(id) ?? '');
+    return fileAt(path, fileName);
+  });
+}
+
+export function parityMotions(core: Core): MotionFile[] {
+  return [...samples(core), ...goldenClips()];
+}
