@@ -4,6 +4,12 @@ import { figureBones } from '../figure/figure-bones';
 import { type FigurePerformer, type SceneFrame, toScene } from '../figure/up-frame';
 import { type ConeTexture, TEXTURE_STRIDE } from './cone-texture';
 
+/** Length of the shadow of a height, for the stage's sun; width of the shade around a body. */
+const SHADOW_OF_HEIGHT = 0.75;
+const SHADE_WIDTH = 0.5;
+/** A human's joints lie within this around the pelvis, nearly always, in body heights. */
+const HUMAN_REACH = 0.55;
+
 /** One performer's figure in the scene, pose by pose. */
 export class FigurePose {
   readonly joints: Float32Array;
@@ -11,12 +17,18 @@ export class FigurePose {
   private readonly frame: SceneFrame;
   private readonly radiusScale: number;
   private readonly pelvis: number;
+  private readonly human: boolean;
+  /** How far from its pelvis the figure shades the ground. */
+  groundReach = 0;
+  /** How far a body that is not human reaches beyond what a human would. */
+  excess = 0;
 
   /** `frame` is the clip's; the bones are laid out by the first pose. */
   constructor(performer: FigurePerformer, frame: SceneFrame, pose: Float32Array) {
     this.frame = frame;
     this.joints = new Float32Array(pose.length);
     this.pelvis = Math.max(0, performer.body.pelvis);
+    this.human = performer.body.kind === 'human';
     const height = performer.body.height;
     this.radiusScale = height > 0 ? height / frame.bodyHeight : 1;
     toScene(pose, { ...frame, bodyHeight: frame.bodyHeight * this.radiusScale }, this.joints);
@@ -34,6 +46,7 @@ export class FigurePose {
       first * TEXTURE_STRIDE,
       TEXTURE_STRIDE,
     );
+    this.measure();
   }
 
   get x(): number {
@@ -44,15 +57,15 @@ export class FigurePose {
     return this.joints[this.pelvis * 3 + 2];
   }
 
-  /** How far the figure reaches from its pelvis along the ground, with the shadow it throws. */
-  get groundReach(): number {
+  private measure(): void {
+    const { joints, x, z } = this;
     let reach = 0;
     let top = 0;
-    const { joints, x, z } = this;
     for (let i = 0; i < joints.length; i += 3) {
-      reach = Math.max(reach, Math.abs(joints[i] - x), Math.abs(joints[i + 2] - z));
+      reach = Math.max(reach, Math.hypot(joints[i] - x, joints[i + 2] - z));
       top = Math.max(top, joints[i + 1]);
     }
-    return 1.42 * reach + 0.75 * top + 0.5;
+    this.groundReach = reach + SHADOW_OF_HEIGHT * top + SHADE_WIDTH;
+    this.excess = this.human ? 0 : Math.max(0, reach - HUMAN_REACH, top - 1);
   }
 }

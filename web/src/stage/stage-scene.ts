@@ -145,8 +145,8 @@ export class StageScene {
       place.x += figure.x * share;
       place.z += figure.z * share;
     }
-    for (const { x, z } of figures) {
-      place.reach = Math.max(place.reach, Math.hypot(x - place.x, z - place.z));
+    for (const { pose, x, z } of figures) {
+      place.reach = Math.max(place.reach, Math.hypot(x - place.x, z - place.z) + pose.excess);
     }
     this.ground.setFigures(figures);
   }
