@@ -1,10 +1,10 @@
 //! One test for each decision of `docs/bvh.md`: a small file goes in, the clip and the exact
 //! words of its notes, or of its error, come out.
 
-use motion::bvh::{Limits, ParseError, Reader, parse};
+use motion::bvh::{ErrorKind, Limits, ParseError, Reader, parse};
 use motion::clip::Clip;
 use motion::kinematics::Kinematics;
-use motion::note::Note;
+use motion::note::{Note, NoteKind};
 use motion::skeleton::{Axis, Channel};
 use nalgebra::Vector3;
 
@@ -727,4 +727,18 @@ fn rows_without_channels_are_an_error() {
     let text = "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\n}\nMOTION\nFrames: 1\nFrame Time: 0.1\n 1\n";
     let expected = "9:2 no-channels: Found a row of numbers, but no joint has CHANNELS. Add them, or export the motion again.";
     assert_eq!(shown_error(text), expected);
+}
+
+#[test]
+fn the_page_names_every_kind() {
+    let page = include_str!("../../../docs/bvh.md");
+    let is_of_reading = |kind: &&NoteKind| **kind <= NoteKind::NoMotion;
+    let notes = NoteKind::ALL
+        .iter()
+        .filter(is_of_reading)
+        .map(|kind| kind.name());
+    let errors = ErrorKind::ALL.iter().map(|kind| kind.name());
+    for name in notes.chain(errors) {
+        assert!(page.contains(&format!("`{name}`")), "{name}");
+    }
 }

@@ -33,7 +33,7 @@ pub fn plain(bytes: &[u8], start: usize) -> Option<(f64, usize)> {
         count += end - decimals;
         exponent = -((end - decimals) as i64);
     }
-    if count == 0 || (count > MOST_DIGITS && count - zeros(&bytes[first..]) > MOST_DIGITS) {
+    if count == 0 || (count > MOST_DIGITS && is_long(&bytes[first..end])) {
         return None;
     }
     if let Some(b'e' | b'E') = bytes.get(end) {
@@ -75,10 +75,16 @@ fn digits(bytes: &[u8], start: usize, before: u64) -> (u64, usize) {
     (value, at)
 }
 
-/// The zeros with which a number begins.
-fn zeros(number: &[u8]) -> usize {
-    let beginning = number.iter().take_while(|byte| matches!(byte, b'0' | b'.'));
-    beginning.filter(|byte| **byte == b'0').count()
+/// Whether digits with or without a point are too many, zeros at their beginning aside.
+fn is_long(digits: &[u8]) -> bool {
+    /// Longer numbers are not plain, whatever they hold.
+    const LONGEST: usize = 64;
+    let zeros = digits
+        .iter()
+        .take_while(|byte| matches!(byte, b'0' | b'.'))
+        .count();
+    digits.len() > LONGEST
+        || digits[zeros..].iter().filter(|byte| **byte != b'.').count() > MOST_DIGITS
 }
 
 /// The power of ten after an `e`.

@@ -4,6 +4,7 @@ use crate::bvh::error::excerpt;
 use crate::bvh::notes::Notes;
 use crate::bvh::place::Place;
 use crate::note::{Note, NoteKind};
+use crate::skeleton::{Channel, Skeleton};
 
 /// The gaps of a motion. A column holds its previous value; at the start it takes the first one
 /// that comes, and where none ever comes, what the joint has without motion.
@@ -94,6 +95,19 @@ impl Gaps {
             notes.push(note.at(place.line, place.column).at_frame(frame));
         }
     }
+}
+
+/// What the channels are without motion: the OFFSET for a position, else zero; one value for each column.
+pub fn without_motion(skeletons: &[Skeleton]) -> Vec<f64> {
+    let joints = skeletons.iter().flat_map(|skeleton| &skeleton.joints);
+    let channels =
+        joints.flat_map(|joint| joint.channels.iter().map(move |channel| (joint, channel)));
+    channels
+        .map(|(joint, channel)| match channel {
+            Channel::Position(axis) => joint.offset[axis.index()],
+            _ => 0.0,
+        })
+        .collect()
 }
 
 #[cfg(test)]

@@ -99,7 +99,7 @@ impl Layout {
 impl Stream {
     fn shape(&self, values: usize, widths: &[usize], frames: Option<usize>) -> Shape {
         let width: usize = widths.iter().sum();
-        let is_whole = values % width == 0;
+        let is_whole = values.is_multiple_of(width);
         let expected_lines = frames.map(|frames| frames.saturating_mul(widths.len()));
         let is_said = expected_lines.is_none_or(|lines| lines == self.lines);
         let line = self.first.place.line;
