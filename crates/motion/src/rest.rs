@@ -3,8 +3,7 @@
 //! Many exporters put a T-pose before the motion, or blend one into it; the rule was measured on
 //! 1 807 files.
 
-use crate::body::{Body, PelvisFrame, PoseTable, Role, TableBuilder};
-use crate::clip::Clip;
+use crate::body::Role;
 use crate::note::{Note, NoteKind};
 use crate::track::PelvisTrack;
 
@@ -92,53 +91,6 @@ pub fn leading_rest_frames(start: &PelvisTrack, frames: usize, is_human: bool) -
         .collect();
     let pose = is_human.then(|| rest_pose(start, &steps, frames)).flatten();
     pose.or_else(|| jump(&steps)).unwrap_or(LeadingRest::NONE)
-}
-
-/// The analysed part of a motion.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Analysed {
-    /// What was left out before it.
-    pub leading: LeadingRest,
-    /// The pelvis frame of the analysed frames.
-    pub frame: PelvisFrame,
-    /// The analysed frames in it.
-    pub track: PelvisTrack,
-}
-
-/// Finds the pelvis frame and the leading rest pose with all frames of `table`, and the frame once
-/// more without the frames left out. `by_hand` leaves out so many frames instead, at most all but one.
-pub fn analysed(
-    clip: &Clip,
-    performer: usize,
-    body: &Body,
-    mut table: PoseTable,
-    by_hand: Option<usize>,
-) -> Analysed {
-    let mut frame = PelvisFrame::new(clip, performer, body, &table, 0);
-    if frame.is_root && body.pelvis != 0 {
-        let mut builder = TableBuilder::in_root(clip, performer, body);
-        builder.step(clip.frames);
-        table = builder.finish();
-    }
-    let leading = match by_hand {
-        Some(frames) => LeadingRest {
-            frames: frames.min(table.frames().saturating_sub(1)),
-            reason: Some(RestReason::ByHand),
-        },
-        None => {
-            let start = table.first_track(&frame, FRAMES_LOOKED_AT);
-            leading_rest_frames(&start, table.frames(), body.is_human())
-        }
-    };
-    if leading.frames > 0 {
-        frame = PelvisFrame::new(clip, performer, body, &table, leading.frames);
-    }
-    let track = table.into_track(&frame, leading.frames);
-    Analysed {
-        leading,
-        frame,
-        track,
-    }
 }
 
 /// The root mean square of the joints' ways between two frames, in body heights.

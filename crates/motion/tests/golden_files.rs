@@ -12,13 +12,12 @@ use motion::feature::posture_variation;
 use motion::hodrick_prescott::low_pass;
 use motion::keypose::evaluation::{Mark, Span, evaluate};
 use motion::keypose::{Extraction, Options, SelectionRule, extract};
-use motion::rest::{self, Analysed};
 use motion::speed::motion_speed;
 use serde_json::Value;
 use support::{assert_close, data_folder, golden_clips, indices, numbers};
 
 struct Found {
-    analysed: Analysed,
+    analysed: support::Analysed,
     rate_hz: f64,
     speed: Vec<f64>,
 }
@@ -44,7 +43,7 @@ fn analyse(clip: &Clip, overrides: &[(Role, usize)]) -> Found {
     let body = body::find(clip, 0, overrides);
     let mut builder = TableBuilder::new(clip, 0, &body);
     while !builder.step(1000) {}
-    let analysed = rest::analysed(clip, 0, &body, builder.finish(), None);
+    let analysed = support::analysed(clip, &body, builder.finish());
     let rate_hz = clip.frame_rate_hz();
     let speed = motion_speed(&analysed.track, rate_hz, Options::default().low_pass_hz).values;
     Found {

@@ -1,9 +1,11 @@
 //! The pelvis frame step by step on skeletons that each need another rule, and odd skeletons.
 
+mod support;
+
 use motion::body::{self, PelvisFrame, PoseTable, Role, TableBuilder};
 use motion::clip::Clip;
 use motion::note::{Note, NoteKind};
-use motion::rest;
+use support::analysed;
 
 /// A person of 30 trunk, 40 + 40 leg; `{hips}` and `{spine}` are OFFSETs to fill in.
 const PERSON: &str = "HIERARCHY
@@ -168,27 +170,15 @@ fn a_trunk_laid_along_the_hips_comes_from_the_motion() {
 fn tracks_in_steps_and_at_once_are_the_same() {
     let clip = clip(&PLAIN);
     let body = body::find(&clip, 0, &[]);
-    let whole = rest::analysed(&clip, 0, &body, table(&clip, &body), None);
+    let whole = analysed(&clip, &body, table(&clip, &body));
     let mut builder = TableBuilder::new(&clip, 0, &body);
     while !builder.step(1) {}
-    let stepped = rest::analysed(&clip, 0, &body, builder.finish(), None);
+    let stepped = analysed(&clip, &body, builder.finish());
     assert_eq!(whole, stepped);
     assert_eq!(whole.track, body::track(&clip, 0, &body, &whole.frame, 0));
     let head = 3 * Role::Head.index();
     let expected = [0.0, 55.0 / 132.0, 0.0];
     assert_eq!(whole.track.frame(1)[head..head + 3], expected);
-}
-
-#[test]
-fn frames_left_out_by_hand_are_at_most_all_but_one() {
-    let clip = clip(&PLAIN);
-    let body = body::find(&clip, 0, &[]);
-    let found = rest::analysed(&clip, 0, &body, table(&clip, &body), Some(99));
-    assert_eq!(found.leading.frames, 1);
-    assert_eq!(found.track.frames(), 1);
-    assert_eq!(found.track.first_frame, 1);
-    let note = found.leading.note().expect("a note");
-    assert_eq!(note.kind, NoteKind::LeadingByHand);
 }
 
 /// A skeleton of `count` joints, each below the joint that `parent` says.
@@ -225,7 +215,7 @@ fn large_and_odd_skeletons_are_searched_in_no_time() {
             &[(Role::Head, 1), (Role::Neck, 5), (Role::Pelvis, 10_000)],
         );
         assert!(!body.is_human());
-        rest::analysed(&clip, 0, &body, table(&clip, &body), None);
+        analysed(&clip, &body, table(&clip, &body));
     }
     assert!(started.elapsed().as_secs() < 20, "{:?}", started.elapsed());
 }
@@ -241,7 +231,7 @@ fn any_choice_of_joints_gives_finite_coordinates() {
             .collect();
         let body = body::find(&clip, 0, &chosen);
         assert!(body.is_human());
-        let found = rest::analysed(&clip, 0, &body, table(&clip, &body), None);
+        let found = analysed(&clip, &body, table(&clip, &body));
         assert!(found.frame.height > 0.0);
         assert!(
             found

@@ -11,10 +11,10 @@ use motion::body::{self, Role, TableBuilder};
 use motion::clip::Clip;
 use motion::feature::posture_variation;
 use motion::keypose::{Options, extract};
-use motion::rest::{self, Analysed};
 use motion::speed::motion_speed;
 use motion::world;
 use serde_json::Value;
+use support::Analysed;
 
 struct Found {
     clip: Clip,
@@ -31,7 +31,7 @@ fn analyse(path: &Path, overrides: &[(Role, usize)]) -> Found {
     while !builder.step(100) {}
     let table = builder.finish();
     let up = world::up_axis(&table).map(world::Up::name);
-    let analysed = rest::analysed(&clip, 0, &body, table, None);
+    let analysed = support::analysed(&clip, &body, table);
     Found {
         clip,
         body,

@@ -5,6 +5,10 @@
 use std::fs;
 use std::path::PathBuf;
 
+use motion::body::{Body, PelvisFrame, PoseTable};
+use motion::clip::Clip;
+use motion::rest::{self, LeadingRest};
+use motion::track::PelvisTrack;
 use serde_json::Value;
 
 /// The folder named by `KEYPOSE_DATA`, else `../shared/data` beside the project; none, and a line
@@ -78,4 +82,34 @@ pub fn assert_close(name: &str, found: &[f64], golden: &[f64], tolerance: f64) {
         "{name}: {:e}",
         difference / largest
     );
+}
+
+/// The analysed part of a motion.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(dead_code, reason = "not every test file uses all of this module")]
+pub struct Analysed {
+    /// What was left out before it.
+    pub leading: LeadingRest,
+    /// The pelvis frame of the analysed frames.
+    pub frame: PelvisFrame,
+    /// The analysed frames in it.
+    pub track: PelvisTrack,
+}
+
+/// Pelvis frame and leading rest pose with all frames of `table`, then the frame once more without
+/// the frames left out.
+#[allow(dead_code, reason = "not every test file uses all of this module")]
+pub fn analysed(clip: &Clip, body: &Body, table: PoseTable) -> Analysed {
+    let mut frame = PelvisFrame::new(clip, 0, body, &table, 0);
+    let start = table.first_track(&frame, rest::FRAMES_LOOKED_AT);
+    let leading = rest::leading_rest_frames(&start, table.frames(), body.is_human());
+    if leading.frames > 0 {
+        frame = PelvisFrame::new(clip, 0, body, &table, leading.frames);
+    }
+    let track = table.into_track(&frame, leading.frames);
+    Analysed {
+        leading,
+        frame,
+        track,
+    }
 }
