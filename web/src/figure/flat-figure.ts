@@ -96,10 +96,13 @@ function gatherLimbs(
   projection: Projection,
 ): Gathering[] {
   const limbs = new Map<number, Gathering>();
+  const human = bones.some((bone) => bone.side !== 'trunk');
   bones.forEach((bone, i) => {
-    let limb = limbs.get(bone.limb);
+    // Plain bones are one outline: halos would cut it into dashes.
+    const number = human ? bone.limb : LIMBS.trunk;
+    let limb = limbs.get(number);
     if (!limb)
-      limbs.set(bone.limb, (limb = { side: bone.side, limb: bone.limb, cones: [], depthSum: 0 }));
+      limbs.set(number, (limb = { side: bone.side, limb: number, cones: [], depthSum: 0 }));
     limb.depthSum += projection.ball(cones, i * CONE_STRIDE, limb.cones);
     limb.depthSum += projection.ball(cones, i * CONE_STRIDE + 4, limb.cones);
   });
@@ -108,11 +111,10 @@ function gatherLimbs(
 
 function markFarther(limbs: readonly Gathering[]): FlatLimb[] {
   const depthOf = (limb: Gathering): number => (limb.depthSum * 3) / limb.cones.length;
-  const human = limbs.some((limb) => limb.side !== 'trunk');
   return limbs.map((limb) => {
     // Limb numbers of a pair differ in their last bit.
     const other =
-      human && limb.limb < LIMBS.trunk ? limbs.find((l) => l.limb === (limb.limb ^ 1)) : undefined;
+      limb.limb < LIMBS.trunk ? limbs.find((l) => l.limb === (limb.limb ^ 1)) : undefined;
     const far = other !== undefined && depthOf(other) - depthOf(limb) > FARTHER_BY;
     return { side: limb.side, far, depth: depthOf(limb), cones: Float32Array.from(limb.cones) };
   });
