@@ -124,11 +124,12 @@ export class Timeline {
   }
 
   private layout(): void {
-    const { frames, props } = { frames: this.props.frames, props: this.props }
-    this.axis = new Axis(Math.max(0, this.root.clientWidth - GUTTER_WIDTH), Math.max(0, frames - 1))
+    const { frames, frameTimeS, leadingRestFrames, text } = this.props
+    const width = Math.max(0, this.root.clientWidth - GUTTER_WIDTH)
+    this.axis = new Axis(width, Math.max(0, frames - 1))
     this.writeLabels()
-    this.rest.style.width = `${props.leadingRestFrames > 0 ? this.axis.x(props.leadingRestFrames) : 0}px`
-    this.ruler.update(this.axis, props.frameTimeS, props.text)
+    this.rest.style.width = `${leadingRestFrames > 0 ? this.axis.x(leadingRestFrames) : 0}px`
+    this.ruler.update(this.axis, frameTimeS, text)
     this.layoutKeyposes()
     this.move(null)
   }
@@ -175,7 +176,7 @@ export class Timeline {
 
   private movePlayhead(): void {
     const { frame, frameTimeS, text } = this.props
-    this.playhead.style.transform = `translateX(${this.axis.x(frame)}px)`
+    this.place(this.playhead, this.flag, frame)
     this.flag.textContent = text.seconds(frame * frameTimeS, 3)
     this.playhead.setAttribute('aria-valuenow', String(frame))
     this.playhead.setAttribute('aria-valuetext', text.moment(frame, frame * frameTimeS))
@@ -186,8 +187,16 @@ export class Timeline {
     const { hoverFrame, frameTimeS, text } = this.props
     this.hover.hidden = hoverFrame === null
     if (hoverFrame === null) return
-    this.hover.style.transform = `translateX(${this.axis.x(hoverFrame)}px)`
+    this.place(this.hover, this.hoverFlag, hoverFrame)
     this.hoverFlag.textContent = text.seconds(hoverFrame * frameTimeS, 3)
+  }
+
+  /** Puts a line at a frame; its flag stays within the axis. */
+  private place(line: HTMLElement, flag: HTMLElement, frame: number): void {
+    const x = this.axis.x(frame)
+    const inside = Math.min(this.axis.width - FLAG_HALF_WIDTH, Math.max(FLAG_HALF_WIDTH, x))
+    line.style.transform = `translateX(${x}px)`
+    flag.style.marginLeft = `${inside - x}px`
   }
 
   private markCurrent(): void {
@@ -227,6 +236,8 @@ export class Timeline {
 }
 
 const PIN_AND_RULER_HEIGHT = 46
+/** Half the width of a time flag and a little air, in pixels. */
+const FLAG_HALF_WIDTH = 26
 
 /** The frames of the keyposes, in time order. */
 export function keyposeFrames(keyposes: KeyposeResult): Int32Array {
