@@ -1,7 +1,7 @@
 /** In: the browser's animation frames. Out: seconds that passed between them. */
 
 /** A page that was hidden or stuck goes on where it was instead of leaping. */
-const LONGEST_STEP_S = 0.25;
+const LONGEST_STEP_S = 0.5;
 
 export class Ticker {
   private request = 0;
