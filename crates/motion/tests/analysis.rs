@@ -7,6 +7,7 @@ use motion::analysis::{Analyser, Analysis, Decisions, analyse};
 use motion::bvh;
 use motion::clip::Clip;
 use motion::keypose::{Options, SelectionRule};
+use motion::note::NoteKind;
 use motion::world::Up;
 
 fn finished(analyser: &mut Analyser, clip: &Clip) -> Analysis {
@@ -185,4 +186,94 @@ fn any_number_of_leading_frames_is_taken() {
     let analysis = analyse(&clip, &decisions, &Options::default()).unwrap();
     assert_eq!(analysis.performers[0].leading_rest.frames, 2);
     assert!(analysis.performers[0].keyposes.is_err());
+}
+
+/// A person whose hips lie in one place, under a root that is not the pelvis: no left and right.
+fn person_without_sides(frames: usize) -> Clip {
+    let limb = |side: &str, names: [&str; 3], offset: [&str; 4]| {
+        let joint = |index: usize| {
+            format!(
+                "JOINT {side}{}\n{{\nOFFSET {}\nCHANNELS 3 Zrotation Xrotation Yrotation\n",
+                names[index], offset[index]
+            )
+        };
+        format!(
+            "{}{}{}End Site\n{{\nOFFSET {}\n}}\n}}\n}}\n}}\n",
+            joint(0),
+            joint(1),
+            joint(2),
+            offset[3]
+        )
+    };
+    let leg = |side| {
+        limb(
+            side,
+            ["UpLeg", "Leg", "Foot"],
+            ["0 0 0", "0 -4 0", "0 -4 0", "0 -0.5 1"],
+        )
+    };
+    let arm = |side, out: f64| {
+        let offset = [
+            format!("{out} 4 0"),
+            format!("{} 0 0", 3.0 * out),
+            format!("{} 0 0", 2.0 * out),
+            format!("{out} 0 0"),
+        ];
+        limb(
+            side,
+            ["Arm", "ForeArm", "Hand"],
+            [0, 1, 2, 3].map(|index| offset[index].as_str()),
+        )
+    };
+    let head = "JOINT Neck\n{\nOFFSET 0 5 0\nCHANNELS 0\nJOINT Head\n{\nOFFSET 0 1 0\nCHANNELS 0\n\
+        End Site\n{\nOFFSET 0 1 0\n}\n}\n}\n";
+    let hierarchy = format!(
+        "HIERARCHY\nROOT World\n{{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n\
+        JOINT Hips\n{{\nOFFSET 0 9 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n\
+        {}{}JOINT Spine\n{{\nOFFSET 0 1 0\nCHANNELS 0\n{}{}{head}}}\n}}\n}}\n",
+        leg("Left"),
+        leg("Right"),
+        arm("Left", 1.0),
+        arm("Right", -1.0)
+    );
+    let row = |frame: usize| {
+        let angle = 20.0 * libm::sin(0.2 * frame as f64);
+        let joints = (0..13).map(|joint| format!("{} 0 {angle} ", angle * f64::from(joint % 3)));
+        format!("0 0 {frame} {}\n", joints.collect::<String>())
+    };
+    let rows: String = (0..frames).map(row).collect();
+    let text = format!("{hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.01\n{rows}");
+    bvh::parse(text.as_bytes()).expect("a clip")
+}
+
+#[test]
+fn a_body_without_left_and_right_is_followed_in_root_coordinates() {
+    let clip = person_without_sides(200);
+    let (decisions, options) = (Decisions::default(), Options::default());
+    let fresh = analyse(&clip, &decisions, &options).unwrap();
+    let performer = &fresh.performers[0];
+    assert!(performer.body.is_human(), "{:?}", performer.body);
+    assert_ne!(performer.body.pelvis, 0);
+    let has_note = performer
+        .notes
+        .iter()
+        .any(|note| note.kind == NoteKind::NoLeftAndRight);
+    assert!(has_note, "{:?}", performer.notes);
+    let mut analyser = Analyser::new();
+    analyser.begin(&clip, &decisions, &options).unwrap();
+    assert_eq!(finished(&mut analyser, &clip), fresh);
+    analyser.drop_motion();
+    analyser
+        .begin(
+            &clip,
+            &decisions,
+            &Options {
+                low_pass_hz: 5.0,
+                ..options
+            },
+        )
+        .unwrap();
+    finished(&mut analyser, &clip);
+    analyser.begin(&clip, &decisions, &options).unwrap();
+    assert_eq!(finished(&mut analyser, &clip), fresh);
 }

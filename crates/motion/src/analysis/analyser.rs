@@ -14,6 +14,8 @@ pub struct Analyser {
     frame_time_s: f64,
     frame_time_source: Option<Source>,
     runs: Vec<PerformerRun>,
+    /// What was said to be done last: a piece that is made twice does not turn it back.
+    done: f64,
 }
 
 impl Analyser {
@@ -55,6 +57,7 @@ impl Analyser {
                 .iter_mut()
                 .for_each(|run| run.change(&last, &next));
         }
+        self.done = 0.0;
         Ok(())
     }
 
@@ -64,14 +67,15 @@ impl Analyser {
             return 0.0;
         };
         let count = self.runs.len().max(1) as f64;
-        for (performer, run) in self.runs.iter_mut().enumerate() {
-            if run.analysis().is_none() {
-                // Options are checked when work begins.
-                let done = run.step(clip, performer, settings).unwrap_or(1.0);
-                return (performer as f64 + done) / count;
-            }
-        }
-        1.0
+        let next = self.runs.iter().position(|run| run.analysis().is_none());
+        let Some(performer) = next else {
+            return 1.0;
+        };
+        // Options are checked when work begins.
+        let done = self.runs[performer].step(clip, performer, settings);
+        let whole = (performer as f64 + done.unwrap_or(1.0)) / count;
+        self.done = self.done.max(whole);
+        self.done
     }
 
     /// The analysis, once [`Analyser::step`] has said 1; before that, of the performers done.

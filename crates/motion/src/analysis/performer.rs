@@ -4,7 +4,7 @@
 use super::placement::Placement;
 use super::settings::Decisions;
 use super::{KeyposeAnalysis, PerformerAnalysis};
-use crate::body::{self, Body, PoseTable, TableBuilder};
+use crate::body::{self, Body, PelvisFrame, PoseTable, TableBuilder};
 use crate::clip::Clip;
 use crate::discontinuity;
 use crate::feature::posture_variation;
@@ -41,11 +41,12 @@ pub struct Settings {
 pub struct PerformerRun {
     body: Option<Body>,
     table: PoseTable,
-    in_root: bool,
+    /// The frame, once it is known to be that of the root though the body is human.
+    root_frame: Option<PelvisFrame>,
     placement: Option<Placement>,
     track: Option<PelvisTrack>,
-    jumps: Vec<Note>,
-    feature: Option<[f64; 12]>,
+    jumps: Option<Vec<Note>>,
+    feature: Option<Option<[f64; 12]>>,
     speed_run: Option<SpeedRun>,
     speed: Option<MotionSpeed>,
     trend: Vec<f64>,
@@ -61,7 +62,10 @@ impl PerformerRun {
         self.analysis = None;
         if before.leading_rest_frames != after.leading_rest_frames || before.up != after.up {
             self.drop_motion();
+            self.root_frame = None;
             self.placement = None;
+            self.jumps = None;
+            self.feature = None;
             self.forget_speed();
         }
         let is_same_rate = last.frame_rate_hz == next.frame_rate_hz;
@@ -116,6 +120,15 @@ impl PerformerRun {
             let body = body.clone();
             return Ok(PLACED * self.place(clip, performer, &body, settings));
         };
+        if self.jumps.is_none() {
+            self.jumps = Some(discontinuity::find(track));
+            return Ok(PLACED);
+        }
+        if self.feature.is_none() {
+            let has_feature = body.is_human() && track.frames() > 0;
+            self.feature = Some(has_feature.then(|| posture_variation(track)));
+            return Ok(PLACED);
+        }
         if track.frames() >= FEWEST_FRAMES && self.speed.is_none() {
             return Ok(PLACED + (SPEED_KNOWN - PLACED) * self.measure_speed(settings));
         }
@@ -139,42 +152,47 @@ impl PerformerRun {
         self.extraction = None;
     }
 
-    /// Adds poses to the table; when all are there, makes the track of it.
+    /// Adds poses to the table, or, when all are there, makes what comes of it.
     fn place(&mut self, clip: &Clip, performer: usize, body: &Body, settings: &Settings) -> f64 {
+        if self.table.frames() < clip.frames {
+            self.add_poses(clip, performer, body);
+        } else if let Some(placement) = &self.placement {
+            let table = core::mem::take(&mut self.table);
+            let track = table.into_track(&placement.frame, placement.leading_rest.frames);
+            self.track = Some(track);
+            return 1.0;
+        } else {
+            self.place_body(clip, performer, body, settings);
+        }
+        self.table.frames() as f64 / clip.frames.max(1) as f64
+    }
+
+    fn add_poses(&mut self, clip: &Clip, performer: usize, body: &Body) {
         let table = core::mem::take(&mut self.table);
-        let mut builder = match self.in_root {
+        let placed = self.placement.as_ref().map(|placement| &placement.frame);
+        let frame = self.root_frame.as_ref().or(placed);
+        let mut builder = match frame.is_some_and(|frame| frame.is_root) {
             true => TableBuilder::in_root(clip, performer, body),
             false => TableBuilder::new(clip, performer, body),
         }
         .resume(table);
         let joints = clip.performers[performer].skeleton.joints.len();
-        let is_complete = builder.step(JOINTS_A_STEP / joints.max(1) + 1);
+        builder.step(JOINTS_A_STEP / joints.max(1) + 1);
         self.table = builder.finish();
-        if is_complete {
-            self.place_table(clip, performer, body, settings);
-        }
-        self.table.frames() as f64 / clip.frames.max(1) as f64
     }
 
-    fn place_table(&mut self, clip: &Clip, performer: usize, body: &Body, settings: &Settings) {
-        let placement = match self.placement.take() {
-            Some(placement) => placement,
-            None => Placement::new(clip, performer, body, &self.table, &settings.decisions),
-        };
-        let is_in_root = self.in_root || body.pelvis == 0;
+    fn place_body(&mut self, clip: &Clip, performer: usize, body: &Body, settings: &Settings) {
+        let frame = self.root_frame.take();
+        let is_in_root = frame.is_some() || body.pelvis == 0;
+        let decisions = &settings.decisions;
+        let placement = Placement::new(clip, performer, body, &self.table, decisions, frame);
         if placement.frame.is_root && !is_in_root {
             // The coordinates are those of the root joint after all: once more from there.
-            self.in_root = true;
+            self.root_frame = Some(placement.frame);
             self.table = PoseTable::default();
         } else {
-            let table = core::mem::take(&mut self.table);
-            let track = table.into_track(&placement.frame, placement.leading_rest.frames);
-            self.jumps = discontinuity::find(&track);
-            let has_feature = body.is_human() && track.frames() > 0;
-            self.feature = has_feature.then(|| posture_variation(&track));
-            self.track = Some(track);
+            self.placement = Some(placement);
         }
-        self.placement = Some(placement);
     }
 
     fn measure_speed(&mut self, settings: &Settings) -> f64 {
@@ -243,7 +261,7 @@ impl PerformerRun {
             up: placement.up,
             ground_height: placement.ground_height,
             leading_rest: placement.leading_rest,
-            feature: self.feature,
+            feature: self.feature.flatten(),
             thumbnail_frame,
             side_yaw_rad: side_yaw_rad(clip, performer, pictured, placement),
             front_yaw_rad: placement.front_yaw_rad,
@@ -278,11 +296,11 @@ impl PerformerRun {
         is_unit_unknown: bool,
     ) -> Vec<Note> {
         let mut notes = body.notes.clone();
-        notes.extend_from_slice(&placement.notes);
+        notes.extend(placement.notes());
         if is_unit_unknown {
             notes.push(Note::new(NoteKind::UnitUnknown, Vec::new()));
         }
-        notes.extend_from_slice(&self.jumps);
+        notes.extend(self.jumps.iter().flatten().cloned());
         if self.speed.as_ref().is_some_and(|speed| !speed.filtered) {
             let details = vec![settings.options.low_pass_hz.to_string()];
             notes.push(Note::new(NoteKind::LowPassLeftOut, details));

@@ -17,38 +17,43 @@ pub struct Placement {
     pub ground_height: f64,
     pub leading_rest: LeadingRest,
     pub front_yaw_rad: f64,
-    pub notes: Vec<Note>,
 }
 
 impl Placement {
-    /// The placement of one performer (from 0) whose poses are all in `table`.
+    /// The placement of one performer (from 0) whose poses are all in `table`; `frame` where it is
+    /// known already.
     pub fn new(
         clip: &Clip,
         performer: usize,
         body: &Body,
         table: &PoseTable,
         decisions: &Decisions,
+        frame: Option<PelvisFrame>,
     ) -> Self {
-        let whole = PelvisFrame::new(clip, performer, body, table, 0);
-        let rest = leading_rest(body, table, &whole, decisions);
-        let frame = match rest.frames {
-            0 => whole,
-            _ => PelvisFrame::new(clip, performer, body, table, rest.frames),
-        };
-        let up = up(table, decisions);
-        let mut notes = frame.notes.clone();
-        notes.extend(rest.note());
-        if up.1 == Source::Default {
-            notes.push(Note::new(NoteKind::UpAssumed, Vec::new()));
+        let frame_from = |first| PelvisFrame::new(clip, performer, body, table, first);
+        let mut found = frame.unwrap_or_else(|| frame_from(0));
+        let leading_rest = leading_rest(body, table, &found, decisions);
+        if leading_rest.frames > 0 && !found.is_root {
+            found = frame_from(leading_rest.frames);
         }
+        let up = up(table, decisions);
         Self {
             ground_height: world::ground_height(table, up.0),
-            front_yaw_rad: facing::front_yaw_rad(clip, performer, &frame, up.0),
+            front_yaw_rad: facing::front_yaw_rad(clip, performer, &found, up.0),
             up,
-            leading_rest: rest,
-            frame,
-            notes,
+            leading_rest,
+            frame: found,
         }
+    }
+
+    /// What was assumed.
+    pub fn notes(&self) -> Vec<Note> {
+        let mut notes = self.frame.notes.clone();
+        notes.extend(self.leading_rest.note());
+        if self.up.1 == Source::Default {
+            notes.push(Note::new(NoteKind::UpAssumed, Vec::new()));
+        }
+        notes
     }
 
     /// The unit of length by the body height, unless a person says another.
