@@ -1,229 +1,254 @@
 /** The keypose strip: one figure for each keypose in reading order, tied by threads to the pins. */
-import './keypose-strip.css'
-import type { KeyposeResult, PerformerResult } from '../engine/types'
-import { drawFlatFigure } from '../figure/draw-flat-figure'
-import { type FlatFigure, flatFigure } from '../figure/flat-figure'
-import { Axis, GUTTER_WIDTH } from '../timeline/axis'
-import { type Card, layoutStrip } from './strip-layout'
+import './keypose-strip.css';
+import type { KeyposeResult, PerformerResult } from '../engine/types';
+import { drawFlatFigure } from '../figure/draw-flat-figure';
+import { type FlatFigure, flatFigure } from '../figure/flat-figure';
+import { Axis, GUTTER_WIDTH } from '../timeline/axis';
+import { type Card, layoutStrip } from './strip-layout';
 
 /** Sentences and numbers in the reader's language. */
 export interface StripText {
-  readonly strip: string
-  readonly keyposes: string
+  readonly strip: string;
+  readonly keyposes: string;
   /** Shown instead of figures when a clip has no keyposes. */
-  readonly none: string
-  count(value: number): string
-  seconds(timeS: number, digits: number): string
+  readonly none: string;
+  count(value: number): string;
+  seconds(timeS: number, digits: number): string;
   /** "16 of 212 shown". */
-  shown(shown: number, all: number): string
+  shown(shown: number, all: number): string;
   /** "Keypose 3 of 11, 2.82 seconds". */
-  keypose(index: number, count: number, timeS: number): string
+  keypose(index: number, count: number, timeS: number): string;
 }
 
 export interface StripProps {
-  readonly frames: number
-  readonly frameTimeS: number
-  readonly performer: PerformerResult
-  readonly keyposes: KeyposeResult | null
+  readonly frames: number;
+  readonly frameTimeS: number;
+  readonly performer: PerformerResult;
+  readonly keyposes: KeyposeResult | null;
   /** Poses of all keyposes: keyposes × joints × 3, world, file units; null while they are on their way. */
-  readonly poses: Float32Array | null
-  readonly currentKeypose: number | null
-  readonly text: StripText
+  readonly poses: Float32Array | null;
+  readonly currentKeypose: number | null;
+  readonly text: StripText;
 }
 
 export interface StripEvents {
   /** A keypose (index in time order) was chosen. */
-  onPick(keypose: number): void
+  onPick(keypose: number): void;
 }
 
-const SVG_NAMESPACE = 'http://www.w3.org/2000/svg'
-const STRIP_HEIGHT = 106
-const THREAD_HEIGHT = 14
+const SVG_NAMESPACE = 'http://www.w3.org/2000/svg';
+const STRIP_HEIGHT = 106;
+const THREAD_HEIGHT = 14;
 /** The common ground line of the figures, and the pixels above it for the tallest. */
-const GROUND_Y = 72
-const FIGURE_ROOM = 62
+const GROUND_Y = 72;
+const FIGURE_ROOM = 62;
 /** Pixels of one body height where no figure leaps higher than the room. */
-const USUAL_SCALE = 55
+const USUAL_SCALE = 55;
 /** Pixels from the strip's lower edge to the middle of the pins. */
-const PIN_MIDDLE = 12
+const PIN_MIDDLE = 12;
 
 export class KeyposeStrip {
-  private readonly root = element('section', 'strip')
-  private readonly area = element('div', 'strip-area')
-  private readonly title = element('span', 'strip-title')
-  private readonly number = element('strong', 'strip-count')
-  private readonly remark = element('span', 'strip-remark')
-  private readonly threads = document.createElementNS(SVG_NAMESPACE, 'svg')
-  private readonly cards = element('div', 'strip-cards')
-  private readonly observer: ResizeObserver
-  private buttons = new Map<number, HTMLButtonElement>()
-  private threadOf = new Map<number, SVGPathElement>()
-  private figures: readonly FlatFigure[] = []
+  private readonly root = element('section', 'strip');
+  private readonly area = element('div', 'strip-area');
+  private readonly title = element('span', 'strip-title');
+  private readonly number = element('strong', 'strip-count');
+  private readonly remark = element('span', 'strip-remark');
+  private readonly threads = document.createElementNS(SVG_NAMESPACE, 'svg');
+  private readonly cards = element('div', 'strip-cards');
+  private readonly observer: ResizeObserver;
+  private buttons = new Map<number, HTMLButtonElement>();
+  private threadOf = new Map<number, SVGPathElement>();
+  private figures: readonly FlatFigure[] = [];
 
   constructor(
     target: HTMLElement,
     private props: StripProps,
     private readonly events: StripEvents,
   ) {
-    const gutter = element('div', 'strip-gutter')
-    gutter.append(this.title, this.number, this.remark)
-    this.threads.setAttribute('class', 'strip-threads')
-    this.threads.setAttribute('aria-hidden', 'true')
-    this.cards.setAttribute('role', 'group')
-    this.cards.addEventListener('keydown', (event) => this.walk(event))
-    this.area.append(this.threads, this.cards)
-    this.root.append(gutter, this.area)
-    target.append(this.root)
-    this.observer = new ResizeObserver(() => this.layout())
-    this.observer.observe(this.area)
-    this.shape()
+    const gutter = element('div', 'strip-gutter');
+    gutter.append(this.title, this.number, this.remark);
+    this.threads.setAttribute('class', 'strip-threads');
+    this.threads.setAttribute('aria-hidden', 'true');
+    this.cards.setAttribute('role', 'group');
+    this.cards.addEventListener('keydown', (event) => this.walk(event));
+    this.area.append(this.threads, this.cards);
+    this.root.append(gutter, this.area);
+    target.append(this.root);
+    this.observer = new ResizeObserver(() => this.layout());
+    this.observer.observe(this.area);
+    this.shape();
   }
 
   /** Takes new properties and redraws what depends on them. */
   update(changes: Partial<StripProps>): void {
-    const before = this.props
-    this.props = { ...before, ...changes }
-    if (this.props.poses !== before.poses || this.props.performer !== before.performer) this.shape()
-    else if (this.props.keyposes !== before.keyposes || this.props.text !== before.text) this.layout()
-    else if (this.props.currentKeypose !== before.currentKeypose) this.markCurrent()
+    const before = this.props;
+    this.props = { ...before, ...changes };
+    if (this.props.poses !== before.poses || this.props.performer !== before.performer)
+      this.shape();
+    else if (this.props.keyposes !== before.keyposes || this.props.text !== before.text)
+      this.layout();
+    else if (this.props.currentKeypose !== before.currentKeypose) this.markCurrent();
   }
 
   destroy(): void {
-    this.observer.disconnect()
-    this.root.remove()
+    this.observer.disconnect();
+    this.root.remove();
   }
 
   /** Makes the figures anew, then places them. */
   private shape(): void {
-    const { performer, poses } = this.props
-    const width = 3 * performer.skeleton.parents.length
-    const count = poses === null ? 0 : poses.length / width
+    const { performer, poses } = this.props;
+    const width = 3 * performer.skeleton.parents.length;
+    const count = poses === null ? 0 : poses.length / width;
     this.figures = Array.from({ length: count }, (_, index) =>
-      flatFigure(poses!.subarray(index * width, (index + 1) * width), performer, performer.sideYawRad))
-    this.layout()
+      flatFigure(
+        poses!.subarray(index * width, (index + 1) * width),
+        performer,
+        performer.sideYawRad,
+      ),
+    );
+    this.layout();
   }
 
   private layout(): void {
-    const { frames, keyposes } = this.props
-    const axis = new Axis(Math.max(0, this.root.clientWidth - GUTTER_WIDTH), Math.max(0, frames - 1))
-    const at = keyposes === null ? [] : Array.from(keyposes.keyposes, (c) => keyposes.candidates[c])
-    const pinX = at.map((frame) => axis.x(frame))
-    const { cards, cardWidth } = layoutStrip(pinX, intensitiesOf(keyposes), axis.width)
-    this.writeGutter(cards.length, at.length)
-    this.placeThreads(cards, pinX, axis.width)
-    this.placeCards(cards, cardWidth, at)
-    this.markCurrent()
+    const { frames, keyposes } = this.props;
+    const axis = new Axis(
+      Math.max(0, this.root.clientWidth - GUTTER_WIDTH),
+      Math.max(0, frames - 1),
+    );
+    const at =
+      keyposes === null ? [] : Array.from(keyposes.keyposes, (c) => keyposes.candidates[c]);
+    const pinX = at.map((frame) => axis.x(frame));
+    const { cards, cardWidth } = layoutStrip(pinX, intensitiesOf(keyposes), axis.width);
+    this.writeGutter(cards.length, at.length);
+    this.placeThreads(cards, pinX, axis.width);
+    this.placeCards(cards, cardWidth, at);
+    this.markCurrent();
   }
 
   private writeGutter(shown: number, all: number): void {
-    const { text } = this.props
-    this.root.setAttribute('aria-label', text.strip)
-    this.cards.setAttribute('aria-label', text.strip)
-    this.title.textContent = text.keyposes
-    this.number.textContent = text.count(all)
-    this.remark.textContent = all === 0 ? text.none : shown < all ? text.shown(shown, all) : ''
+    const { text } = this.props;
+    this.root.setAttribute('aria-label', text.strip);
+    this.cards.setAttribute('aria-label', text.strip);
+    this.title.textContent = text.keyposes;
+    this.number.textContent = text.count(all);
+    this.remark.textContent = all === 0 ? text.none : shown < all ? text.shown(shown, all) : '';
   }
 
   private placeCards(cards: readonly Card[], width: number, frames: readonly number[]): void {
-    const focused = [...this.buttons].find(([, button]) => button === document.activeElement)?.[0]
-    const scale = this.scale()
-    this.buttons = new Map(cards.map((card) => [card.keypose, this.card(card, width, scale, frames)]))
-    this.cards.replaceChildren(...this.buttons.values())
-    if (focused !== undefined) this.buttons.get(focused)?.focus()
+    const focused = [...this.buttons].find(([, button]) => button === document.activeElement)?.[0];
+    const scale = this.scale();
+    this.buttons = new Map(
+      cards.map((card) => [card.keypose, this.card(card, width, scale, frames)]),
+    );
+    this.cards.replaceChildren(...this.buttons.values());
+    if (focused !== undefined) this.buttons.get(focused)?.focus();
   }
 
-  private card(card: Card, width: number, scale: number, frames: readonly number[]): HTMLButtonElement {
-    const { text, frameTimeS } = this.props
-    const timeS = frames[card.keypose] * frameTimeS
-    const button = element('button', 'keypose-card') as HTMLButtonElement
-    button.type = 'button'
-    button.style.left = `${card.x - width / 2}px`
-    button.style.width = `${width - 1}px`
-    button.setAttribute('aria-label', text.keypose(card.keypose + 1, frames.length, timeS))
-    button.append(this.picture(card, width, scale), cardLabel(text, card.keypose, timeS))
-    button.addEventListener('click', () => this.events.onPick(card.keypose))
-    return button
+  private card(
+    card: Card,
+    width: number,
+    scale: number,
+    frames: readonly number[],
+  ): HTMLButtonElement {
+    const { text, frameTimeS } = this.props;
+    const timeS = frames[card.keypose] * frameTimeS;
+    const button = element('button', 'keypose-card') as HTMLButtonElement;
+    button.type = 'button';
+    button.style.left = `${card.x - width / 2}px`;
+    button.style.width = `${width - 1}px`;
+    button.setAttribute('aria-label', text.keypose(card.keypose + 1, frames.length, timeS));
+    button.append(this.picture(card, width, scale), cardLabel(text, card.keypose, timeS));
+    button.addEventListener('click', () => this.events.onPick(card.keypose));
+    return button;
   }
 
   private picture(card: Card, width: number, scale: number): SVGSVGElement {
-    const picture = document.createElementNS(SVG_NAMESPACE, 'svg')
-    picture.setAttribute('aria-hidden', 'true')
-    picture.setAttribute('width', String(width))
-    picture.setAttribute('height', String(GROUND_Y + 8))
-    const figure = this.figures[card.keypose]
+    const picture = document.createElementNS(SVG_NAMESPACE, 'svg');
+    picture.setAttribute('aria-hidden', 'true');
+    picture.setAttribute('width', String(width));
+    picture.setAttribute('height', String(GROUND_Y + 8));
+    const figure = this.figures[card.keypose];
     if (figure !== undefined) {
-      const x = width / 2 - (scale * (figure.minX + figure.maxX)) / 2
-      drawFlatFigure(picture, figure, { scale, x, groundY: GROUND_Y })
+      const x = width / 2 - (scale * (figure.minX + figure.maxX)) / 2;
+      drawFlatFigure(picture, figure, { scale, x, groundY: GROUND_Y });
     }
-    return picture
+    return picture;
   }
 
   /** One scale for all figures, so that a leap is seen as one. */
   private scale(): number {
-    const tallest = this.figures.reduce((height, figure) => Math.max(height, figure.maxY), 0)
-    return tallest > 0 ? Math.min(USUAL_SCALE, FIGURE_ROOM / tallest) : USUAL_SCALE
+    const tallest = this.figures.reduce((height, figure) => Math.max(height, figure.maxY), 0);
+    return tallest > 0 ? Math.min(USUAL_SCALE, FIGURE_ROOM / tallest) : USUAL_SCALE;
   }
 
   private placeThreads(cards: readonly Card[], pinX: readonly number[], width: number): void {
-    const bottom = STRIP_HEIGHT + THREAD_HEIGHT + PIN_MIDDLE
-    this.threads.setAttribute('width', String(width))
-    this.threads.setAttribute('height', String(bottom))
-    const ground = document.createElementNS(SVG_NAMESPACE, 'path')
-    ground.setAttribute('class', 'strip-ground')
-    ground.setAttribute('d', `M0 ${GROUND_Y + 0.5}H${width}`)
-    this.threadOf = new Map(cards.map((card) => [card.keypose, thread(card.x, pinX[card.keypose])]))
-    this.threads.replaceChildren(ground, ...this.threadOf.values())
+    const bottom = STRIP_HEIGHT + THREAD_HEIGHT + PIN_MIDDLE;
+    this.threads.setAttribute('width', String(width));
+    this.threads.setAttribute('height', String(bottom));
+    const ground = document.createElementNS(SVG_NAMESPACE, 'path');
+    ground.setAttribute('class', 'strip-ground');
+    ground.setAttribute('d', `M0 ${GROUND_Y + 0.5}H${width}`);
+    this.threadOf = new Map(
+      cards.map((card) => [card.keypose, thread(card.x, pinX[card.keypose])]),
+    );
+    this.threads.replaceChildren(ground, ...this.threadOf.values());
   }
 
   private markCurrent(): void {
-    const { currentKeypose } = this.props
-    const stop = this.buttons.has(currentKeypose ?? -1) ? currentKeypose : this.buttons.keys().next().value
+    const { currentKeypose } = this.props;
+    const stop = this.buttons.has(currentKeypose ?? -1)
+      ? currentKeypose
+      : this.buttons.keys().next().value;
     for (const [keypose, button] of this.buttons) {
-      const current = keypose === currentKeypose
-      button.classList.toggle('current', current)
-      button.tabIndex = keypose === stop ? 0 : -1
-      if (current) button.setAttribute('aria-current', 'true')
-      else button.removeAttribute('aria-current')
-      this.threadOf.get(keypose)?.classList.toggle('current', current)
+      const current = keypose === currentKeypose;
+      button.classList.toggle('current', current);
+      button.tabIndex = keypose === stop ? 0 : -1;
+      if (current) button.setAttribute('aria-current', 'true');
+      else button.removeAttribute('aria-current');
+      this.threadOf.get(keypose)?.classList.toggle('current', current);
     }
   }
 
   /** ← → reach every keypose, shown or not. */
   private walk(event: KeyboardEvent): void {
-    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key]
-    if (step === undefined || event.shiftKey) return
-    event.preventDefault()
-    event.stopPropagation()
-    const { currentKeypose, keyposes } = this.props
-    const last = (keyposes?.keyposes.length ?? 0) - 1
-    const next = Math.min(last, Math.max(0, (currentKeypose ?? 0) + step))
-    this.events.onPick(next)
-    this.buttons.get(next)?.focus()
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (step === undefined || event.shiftKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const { currentKeypose, keyposes } = this.props;
+    const last = (keyposes?.keyposes.length ?? 0) - 1;
+    const next = Math.min(last, Math.max(0, (currentKeypose ?? 0) + step));
+    this.events.onPick(next);
+    this.buttons.get(next)?.focus();
   }
 }
 
 function intensitiesOf(keyposes: KeyposeResult | null): number[] {
-  return keyposes === null ? [] : Array.from(keyposes.keyposes, (c) => keyposes.intensities[c])
+  return keyposes === null ? [] : Array.from(keyposes.keyposes, (c) => keyposes.intensities[c]);
 }
 
 function thread(cardX: number, pinX: number): SVGPathElement {
-  const path = document.createElementNS(SVG_NAMESPACE, 'path')
-  const [top, bottom] = [STRIP_HEIGHT - 2, STRIP_HEIGHT + THREAD_HEIGHT + 6]
-  path.setAttribute('class', 'thread')
-  path.setAttribute('d', `M${cardX} ${top}C${cardX} ${top + 15} ${pinX} ${top + 7} ${pinX} ${bottom}`)
-  return path
+  const path = document.createElementNS(SVG_NAMESPACE, 'path');
+  const [top, bottom] = [STRIP_HEIGHT - 2, STRIP_HEIGHT + THREAD_HEIGHT + 6];
+  path.setAttribute('class', 'thread');
+  path.setAttribute(
+    'd',
+    `M${cardX} ${top}C${cardX} ${top + 15} ${pinX} ${top + 7} ${pinX} ${bottom}`,
+  );
+  return path;
 }
 
 function cardLabel(text: StripText, keypose: number, timeS: number): HTMLElement {
-  const label = element('span', 'card-label')
-  const number = element('b', 'card-number')
-  number.textContent = text.count(keypose + 1)
-  label.append(number, text.seconds(timeS, 2))
-  return label
+  const label = element('span', 'card-label');
+  const number = element('b', 'card-number');
+  number.textContent = text.count(keypose + 1);
+  label.append(number, text.seconds(timeS, 2));
+  return label;
 }
 
 function element(name: string, className: string): HTMLElement {
-  const node = document.createElement(name)
-  node.className = className
-  return node
+  const node = document.createElement(name);
+  node.className = className;
+  return node;
 }

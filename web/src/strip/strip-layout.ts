@@ -2,19 +2,19 @@
 
 export interface Card {
   /** Index of the keypose in time order. */
-  readonly keypose: number
+  readonly keypose: number;
   /** Middle of the card, pixels right of the gutter. */
-  readonly x: number
+  readonly x: number;
 }
 
 export interface StripLayout {
-  readonly cards: readonly Card[]
-  readonly cardWidth: number
+  readonly cards: readonly Card[];
+  readonly cardWidth: number;
 }
 
-const SMALLEST_CARD = 48
-const WIDEST_CARD = 63
-const MARGIN = 2
+const SMALLEST_CARD = 48;
+const WIDEST_CARD = 63;
+const MARGIN = 2;
 
 /**
  * Lays out cards near their pins. If not all fit, the most intense that fit are shown, in time
@@ -22,44 +22,58 @@ const MARGIN = 2
  * @param pinX pixel of each keypose's pin, ascending
  * @param intensities intensity of each keypose
  */
-export function layoutStrip(pinX: ArrayLike<number>, intensities: ArrayLike<number>, width: number): StripLayout {
-  const room = Math.floor((width - 2 * MARGIN) / SMALLEST_CARD)
-  const shown = mostIntense(intensities, Math.max(0, room))
-  if (shown.length === 0) return { cards: [], cardWidth: SMALLEST_CARD }
-  const cardWidth = Math.min(WIDEST_CARD, Math.floor((width - 2 * MARGIN) / shown.length))
-  const low = cardWidth / 2 + MARGIN
-  const xs = spread(shown.map((keypose) => pinX[keypose]), cardWidth, low, width - low)
-  return { cards: shown.map((keypose, index) => ({ keypose, x: xs[index] })), cardWidth }
+export function layoutStrip(
+  pinX: ArrayLike<number>,
+  intensities: ArrayLike<number>,
+  width: number,
+): StripLayout {
+  const room = Math.floor((width - 2 * MARGIN) / SMALLEST_CARD);
+  const shown = mostIntense(intensities, Math.max(0, room));
+  if (shown.length === 0) return { cards: [], cardWidth: SMALLEST_CARD };
+  const cardWidth = Math.min(WIDEST_CARD, Math.floor((width - 2 * MARGIN) / shown.length));
+  const low = cardWidth / 2 + MARGIN;
+  const xs = spread(
+    shown.map((keypose) => pinX[keypose]),
+    cardWidth,
+    low,
+    width - low,
+  );
+  return { cards: shown.map((keypose, index) => ({ keypose, x: xs[index] })), cardWidth };
 }
 
 function mostIntense(intensities: ArrayLike<number>, count: number): number[] {
   return Array.from({ length: intensities.length }, (_, index) => index)
     .sort((a, b) => intensities[b] - intensities[a] || a - b)
     .slice(0, count)
-    .sort((a, b) => a - b)
+    .sort((a, b) => a - b);
 }
 
 /**
  * The places nearest to `wanted` (ascending) that keep a distance of `gap`, in order, within
  * [low, high]: isotonic regression by pooling of neighbours that would overlap.
  */
-export function spread(wanted: readonly number[], gap: number, low: number, high: number): number[] {
-  const pools: { sum: number; count: number }[] = []
+export function spread(
+  wanted: readonly number[],
+  gap: number,
+  low: number,
+  high: number,
+): number[] {
+  const pools: { sum: number; count: number }[] = [];
   wanted.forEach((x, index) => {
-    pools.push({ sum: x - index * gap, count: 1 })
-    mergeDescending(pools)
-  })
-  const last = high - (wanted.length - 1) * gap
-  const starts = pools.flatMap(({ sum, count }) => new Array<number>(count).fill(sum / count))
-  return starts.map((start, index) => Math.max(low, Math.min(last, start)) + index * gap)
+    pools.push({ sum: x - index * gap, count: 1 });
+    mergeDescending(pools);
+  });
+  const last = high - (wanted.length - 1) * gap;
+  const starts = pools.flatMap(({ sum, count }) => new Array<number>(count).fill(sum / count));
+  return starts.map((start, index) => Math.max(low, Math.min(last, start)) + index * gap);
 }
 
 function mergeDescending(pools: { sum: number; count: number }[]): void {
   while (pools.length > 1) {
-    const [before, after] = [pools.at(-2)!, pools.at(-1)!]
-    if (before.sum / before.count <= after.sum / after.count) return
-    pools.pop()
-    before.sum += after.sum
-    before.count += after.count
+    const [before, after] = [pools.at(-2)!, pools.at(-1)!];
+    if (before.sum / before.count <= after.sum / after.count) return;
+    pools.pop();
+    before.sum += after.sum;
+    before.count += after.count;
   }
 }
