@@ -366,6 +366,12 @@ fn motion_without_frames_counts_the_rows() {
 
 #[test]
 fn the_rows_present_are_used() {
+    assert_eq!(
+        notes(&clip(
+            with_rows(3, &ROW.repeat(3)).replace("Frames: 3", "Frames: 3.0")
+        )),
+        [""; 0]
+    );
     for (said, rows) in [(5, 3), (1, 3), (0, 3)] {
         let clip = clip(with_rows(said, &ROW.repeat(rows)));
         assert_eq!(clip.frames, rows);
@@ -545,6 +551,16 @@ fn a_joint_holds_its_value_where_there_is_no_number() {
 }
 
 #[test]
+fn a_motion_may_begin_without_a_number() {
+    for end in ["\n", ""] {
+        let clip = clip(with_rows(1, &format!(" NaN 2 3 4 5 6 7 8 9.5{end}")));
+        assert_eq!(clip.frame_values(0, 0)[..3], [0.0, 2.0, 3.0]);
+        let expected = "15:2 not-a-number: 1 values are not numbers (first: NaN); the joints hold their previous value.";
+        assert_eq!(notes(&clip), [expected]);
+    }
+}
+
+#[test]
 fn a_decimal_comma_is_read_if_used_throughout() {
     let rows = "1,5 2 -3,25 4 5 6 7 8 9\n";
     let text = with_rows(1, rows)
@@ -628,6 +644,7 @@ fn the_number_of_values_is_limited() {
 #[test]
 fn a_frame_count_that_cannot_be_reserves_no_memory() {
     let clip = clip(with_rows(usize::MAX, ROW));
+    assert_eq!(clip.frames, 1);
     assert!(clip.values.capacity() < 4096);
 }
 

@@ -53,6 +53,7 @@ const PIECES: &[&str] = &[
     "-1e3 ",
     "4,5 ",
     "nan ",
+    "inf 2\n",
     "1.#IND ",
     "1e999 ",
     "\r",

@@ -7,6 +7,7 @@ use super::header::{self, Header};
 use super::hierarchy::{self, Cursor, Hierarchy};
 use super::lines::{Line, Lines};
 use super::notes::Notes;
+use super::number::{self, Word};
 use super::place::{Place, Position, is_blank};
 use crate::note::NoteKind;
 
@@ -31,6 +32,8 @@ pub struct Head {
     pub header: Header,
     /// What was assumed.
     pub notes: Notes,
+    /// The first row, where it begins with a word that had to be read to know it as a row.
+    pub first_row: Vec<u8>,
 }
 
 impl Head {
@@ -47,10 +50,12 @@ impl Head {
             encoding: Encoding::Utf8,
             header: Header::default(),
             notes: Notes::default(),
+            first_row: Vec::new(),
         }
     }
 
-    /// Reads on; returns the bytes taken. Unless all were taken, the first row begins.
+    /// Reads on; returns the bytes taken. Unless all were taken, the first row begins, with
+    /// [`Self::first_row`] if that is not empty.
     pub fn push(&mut self, bytes: &[u8]) -> Result<usize, ParseError> {
         let mut at = 0;
         while at < bytes.len() {
@@ -65,6 +70,9 @@ impl Head {
             match line {
                 Some(line) => self.line(line)?,
                 None => self.check_length()?,
+            }
+            if !self.first_row.is_empty() {
+                return Ok(at);
             }
         }
         Ok(at)
@@ -125,7 +133,10 @@ impl Head {
         if !self.has_hierarchy {
             return self.hierarchy_line(line);
         }
-        self.header_line(&line);
+        match begins_with_no_number(&line.text) {
+            true => self.first_row = line.text,
+            false => self.header_line(&line),
+        }
         Ok(())
     }
 
@@ -228,4 +239,12 @@ fn is_beginning(text: &[u8]) -> bool {
 
 fn begins_number(byte: u8) -> bool {
     byte.is_ascii_digit() || matches!(byte, b'+' | b'-' | b'.')
+}
+
+/// Whether a text begins with `nan` or the like.
+fn begins_with_no_number(text: &[u8]) -> bool {
+    let mut words = text.split(|byte| is_blank(*byte));
+    words
+        .next()
+        .is_some_and(|word| number::word(word) == Word::NotANumber)
 }

@@ -4,7 +4,7 @@
 use super::error::excerpt;
 use super::frame_time;
 use super::notes::Notes;
-use super::number::{self, Mark};
+use super::number::{self, Mark, Word};
 use super::place::Place;
 use crate::note::{Note, NoteKind};
 
@@ -59,9 +59,15 @@ impl Header {
         self.motion = Some(at);
     }
 
-    /// The frame count, if the file says one that is a number.
+    /// The frame count, if the file says one that is a whole number.
     pub fn frame_count(&self) -> Option<usize> {
-        self.frames.as_ref()?.text.parse().ok()
+        let text = &self.frames.as_ref()?.text;
+        match number::word(text.as_bytes()) {
+            Word::Number(count) if (0.0..1e15).contains(&count) && count.trunc() == count => {
+                Some(count as usize)
+            }
+            _ => None,
+        }
     }
 
     /// Notes what the file says about the number of frames, if there are `frames`.

@@ -74,12 +74,13 @@ impl Reader {
         if self.unmarker.is_utf16() {
             self.head.notes.push(encoding_note("UTF-16"));
         }
+        if self.rows.is_none() {
+            self.head.finish()?;
+            self.begin_rows(&[])?;
+        }
         let motion = match self.rows {
             Some(rows) => rows.finish(&mut self.head.notes)?,
-            None => {
-                self.head.finish()?;
-                Motion::default()
-            }
+            None => Motion::default(),
         };
         Ok(clip(self.head, motion))
     }
@@ -89,13 +90,21 @@ impl Reader {
             return rows.push(bytes);
         }
         let taken = self.head.push(bytes)?;
-        if let Some(row) = bytes.get(taken..).filter(|rest| !rest.is_empty()) {
-            return self.begin_rows().push(row);
-        }
-        Ok(())
+        self.begin_rows(&bytes[taken..])
     }
 
-    fn begin_rows(&mut self) -> &mut Rows {
+    /// Begins the rows, if there is a beginning of one.
+    fn begin_rows(&mut self, bytes: &[u8]) -> Result<(), ParseError> {
+        let first_row = core::mem::take(&mut self.head.first_row);
+        if first_row.is_empty() && bytes.is_empty() {
+            return Ok(());
+        }
+        let rows = self.rows.insert(self.new_rows());
+        rows.push(&first_row)?;
+        rows.push(bytes)
+    }
+
+    fn new_rows(&self) -> Rows {
         let skeletons = &self.head.hierarchy.skeletons;
         let width = skeletons.iter().map(Skeleton::channel_count).sum();
         let frames = self.head.header.frame_count();
@@ -105,8 +114,7 @@ impl Reader {
             mark: self.head.hierarchy.mark,
             limits: self.limits,
         };
-        let rows = Rows::new(skeletons, known, self.head.row_start());
-        self.rows.insert(rows)
+        Rows::new(skeletons, known, self.head.row_start())
     }
 
     /// Values to reserve memory for: as many as the file says, but no more than its size
