@@ -1,7 +1,7 @@
 /** The WebAssembly module in Chromium says what the command line says, to the last bit. */
 import { expect, test } from '@playwright/test';
 import { testCore } from '../../web/src/engine/test-engine';
-import { type EnginePage, serveEnginePage } from './engine-page';
+import { type EnginePage, serveEnginePage } from '../support/engine-page';
 import { parityMotions } from './motions';
 import { nativeReports, withoutName } from './native';
 

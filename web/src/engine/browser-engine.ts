@@ -10,7 +10,8 @@ import type { Engine } from './types';
 /** Starts a worker; `died` is called when it ends by itself. */
 export function spawnWorker(listener: WorkerListener, died: (message: string) => void): PoolWorker {
   const worker = new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });
-  worker.onerror = (event) => died(event.message);
+  // A script that cannot be loaded is an event without a message.
+  worker.onerror = (event: Partial<ErrorEvent>) => died(event.message ?? 'it could not start');
   worker.onmessageerror = () => died('a message could not be read');
   const api = wrap<WorkerApi>(worker) as unknown as RemoteWorker;
   void api.listen(proxy(listener));

@@ -14,7 +14,7 @@ export async function serveEnginePage(): Promise<EnginePage> {
   const shared = {
     configFile: false as const,
     logLevel: 'warn' as const,
-    root: join(import.meta.dirname, 'page'),
+    root: join(import.meta.dirname, 'engine-page'),
     build: { outDir, emptyOutDir: true, target: 'es2022', assetsInlineLimit: 0 },
   };
   await build({ ...shared, base: './', worker: { format: 'es' } });
