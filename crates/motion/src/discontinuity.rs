@@ -21,12 +21,18 @@ const FEWEST: usize = 5;
 pub fn find(track: &PelvisTrack) -> Vec<Note> {
     let count = track.frames().saturating_sub(1);
     let steps: Vec<f64> = (0..count).map(|n| step(track, n, n + 1)).collect();
+    among(&steps, track.first_frame)
+}
+
+/// The same among the `steps` ([`crate::rest::step`]) from one frame to the next, the first from
+/// the frame `first_frame` of the file.
+pub fn among(steps: &[f64], first_frame: usize) -> Vec<Note> {
     let mut notes = Vec::new();
     let mut next = 0;
     for (n, &size) in steps.iter().enumerate() {
-        if n >= next && size >= SMALLEST && stands_out(&steps, n) {
+        if n >= next && size >= SMALLEST && stands_out(steps, n) {
             let note = Note::new(NoteKind::Discontinuity, vec![format!("{size:.2}")]);
-            notes.push(note.at_frame(track.first_frame + n));
+            notes.push(note.at_frame(first_frame + n));
             next = n + AROUND;
         }
     }

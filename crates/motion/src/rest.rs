@@ -93,13 +93,19 @@ pub fn leading_rest_frames(start: &PelvisTrack, frames: usize, is_human: bool) -
     pose.or_else(|| jump(&steps)).unwrap_or(LeadingRest::NONE)
 }
 
-/// The root mean square of the joints' ways between two frames, in body heights.
-pub fn step(track: &PelvisTrack, one: usize, other: usize) -> f64 {
-    let pairs = track.frame(one).iter().zip(track.frame(other));
+/// The root mean square of the joints' ways between two frames (x, y, z of joint after joint), in
+/// body heights.
+pub fn step_between(one: &[f64], other: &[f64]) -> f64 {
+    let pairs = one.iter().zip(other);
     let sum: f64 = pairs
         .map(|(one, other)| (other - one) * (other - one))
         .sum();
-    (sum / track.joint_count as f64).sqrt()
+    (sum / (one.len() / 3) as f64).sqrt()
+}
+
+/// The same between two frames of a track.
+pub fn step(track: &PelvisTrack, one: usize, other: usize) -> f64 {
+    step_between(track.frame(one), track.frame(other))
 }
 
 fn largest(steps: &[f64]) -> f64 {

@@ -127,19 +127,23 @@ pub fn ground_height(table: &PoseTable, up: Up) -> f64 {
         false => extent[axis],
     };
     let mut heights: Vec<f64> = table.feet.iter().map(lowest).collect();
-    heights.sort_by(f64::total_cmp);
-    percentile(&heights, BELOW_GROUND)
+    percentile(&mut heights, BELOW_GROUND)
 }
 
-/// The value at `share` of the way through `sorted`, between the two nearest in proportion.
-fn percentile(sorted: &[f64], share: f64) -> f64 {
-    let Some(last) = sorted.len().checked_sub(1) else {
+/// The value at `share` of the way through the sorted values, between the two nearest in
+/// proportion; reorders them.
+fn percentile(values: &mut [f64], share: f64) -> f64 {
+    let Some(last) = values.len().checked_sub(1) else {
         return 0.0;
     };
     let place = share * last as f64;
-    let below = place as usize;
-    let above = (below + 1).min(last);
-    sorted[below] + (sorted[above] - sorted[below]) * (place - below as f64)
+    let (_, below, above) = values.select_nth_unstable_by(place as usize, f64::total_cmp);
+    let below = *below;
+    let above = above.iter().copied().fold(f64::INFINITY, f64::min);
+    match place.fract() {
+        0.0 => below,
+        part => below + (above - below) * part,
+    }
 }
 
 /// A unit of length that motion files use.

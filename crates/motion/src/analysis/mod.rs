@@ -6,6 +6,7 @@
 
 mod analyser;
 mod facing;
+mod following;
 mod performer;
 mod placement;
 mod settings;

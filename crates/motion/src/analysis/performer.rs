@@ -1,13 +1,12 @@
 //! One performer's analysis as a row of pieces, each made from those before it. A step makes a part
 //! of the first piece that is missing; a changed setting takes pieces away.
 
+use super::following::Following;
 use super::placement::Placement;
 use super::settings::Decisions;
 use super::{KeyposeAnalysis, PerformerAnalysis};
 use crate::body::{self, Body, PelvisFrame, PoseTable, TableBuilder};
 use crate::clip::Clip;
-use crate::discontinuity;
-use crate::feature::posture_variation;
 use crate::figure;
 use crate::keypose::{Extraction, Extractor, Options, OptionsError};
 use crate::kinematics::Kinematics;
@@ -18,6 +17,9 @@ use crate::track::PelvisTrack;
 /// Joints placed in one step.
 const JOINTS_A_STEP: usize = 1 << 16;
 
+/// Frames turned into pelvis coordinates in one step.
+const FRAMES_A_STEP: usize = 1 << 14;
+
 /// Rows filtered in one step, eight columns each.
 const ROWS_A_STEP: usize = 1 << 16;
 
@@ -25,6 +27,7 @@ const ROWS_A_STEP: usize = 1 << 16;
 const FEWEST_FRAMES: usize = 4;
 
 /// Parts of the whole that are done when poses, speed and extraction are.
+const POSED: f64 = 0.25;
 const PLACED: f64 = 0.3;
 const SPEED_KNOWN: f64 = 0.6;
 
@@ -44,9 +47,10 @@ pub struct PerformerRun {
     /// The frame, once it is known to be that of the root though the body is human.
     root_frame: Option<PelvisFrame>,
     placement: Option<Placement>,
+    following: Option<Following>,
     track: Option<PelvisTrack>,
-    jumps: Option<Vec<Note>>,
-    feature: Option<Option<[f64; 12]>>,
+    jumps: Vec<Note>,
+    feature: Option<[f64; 12]>,
     speed_run: Option<SpeedRun>,
     speed: Option<MotionSpeed>,
     trend: Vec<f64>,
@@ -64,8 +68,6 @@ impl PerformerRun {
             self.drop_motion();
             self.root_frame = None;
             self.placement = None;
-            self.jumps = None;
-            self.feature = None;
             self.forget_speed();
         }
         let is_same_rate = last.frame_rate_hz == next.frame_rate_hz;
@@ -81,6 +83,7 @@ impl PerformerRun {
     /// Frees the poses; they are made again when a later piece needs them.
     pub fn drop_motion(&mut self) {
         self.table = PoseTable::default();
+        self.following = None;
         self.track = None;
         self.speed_run = None;
     }
@@ -91,7 +94,8 @@ impl PerformerRun {
             .track
             .as_ref()
             .map_or(0, |track| track.coordinates.capacity());
-        (track + self.table.joints.capacity()) * size_of::<f64>()
+        let following = self.following.as_ref().map_or(0, Following::capacity);
+        (track + following + self.table.joints.capacity()) * size_of::<f64>()
     }
 
     /// The result, once [`Self::step`] has said 1.
@@ -116,19 +120,14 @@ impl PerformerRun {
             self.body = Some(body::find(clip, performer, &[]));
             return Ok(0.0);
         };
+        if self.following.is_some() {
+            let is_human = body.is_human();
+            return Ok(POSED + (PLACED - POSED) * self.follow(is_human));
+        }
         let Some(track) = &self.track else {
             let body = body.clone();
-            return Ok(PLACED * self.place(clip, performer, &body, settings));
+            return Ok(POSED * self.place(clip, performer, &body, settings));
         };
-        if self.jumps.is_none() {
-            self.jumps = Some(discontinuity::find(track));
-            return Ok(PLACED);
-        }
-        if self.feature.is_none() {
-            let has_feature = body.is_human() && track.frames() > 0;
-            self.feature = Some(has_feature.then(|| posture_variation(track)));
-            return Ok(PLACED);
-        }
         if track.frames() >= FEWEST_FRAMES && self.speed.is_none() {
             return Ok(PLACED + (SPEED_KNOWN - PLACED) * self.measure_speed(settings));
         }
@@ -158,8 +157,8 @@ impl PerformerRun {
             self.add_poses(clip, performer, body);
         } else if let Some(placement) = &self.placement {
             let table = core::mem::take(&mut self.table);
-            let track = table.into_track(&placement.frame, placement.leading_rest.frames);
-            self.track = Some(track);
+            let first_frame = placement.leading_rest.frames;
+            self.following = Some(Following::new(table, &placement.frame, first_frame));
             return 1.0;
         } else {
             self.place_body(clip, performer, body, settings);
@@ -193,6 +192,24 @@ impl PerformerRun {
         } else {
             self.placement = Some(placement);
         }
+    }
+
+    /// Follows the analysed frames; when all are done, keeps what was found in them.
+    fn follow(&mut self, is_human: bool) -> f64 {
+        let Some(mut following) = self.following.take() else {
+            return 1.0;
+        };
+        let is_complete = following.advance(FRAMES_A_STEP);
+        let done = following.progress();
+        if is_complete {
+            let followed = following.finish();
+            self.jumps = followed.jumps;
+            self.feature = followed.feature.filter(|_| is_human);
+            self.track = Some(followed.track);
+        } else {
+            self.following = Some(following);
+        }
+        done
     }
 
     fn measure_speed(&mut self, settings: &Settings) -> f64 {
@@ -261,7 +278,7 @@ impl PerformerRun {
             up: placement.up,
             ground_height: placement.ground_height,
             leading_rest: placement.leading_rest,
-            feature: self.feature.flatten(),
+            feature: self.feature,
             thumbnail_frame,
             side_yaw_rad: side_yaw_rad(clip, performer, pictured, placement),
             front_yaw_rad: placement.front_yaw_rad,
@@ -300,7 +317,7 @@ impl PerformerRun {
         if is_unit_unknown {
             notes.push(Note::new(NoteKind::UnitUnknown, Vec::new()));
         }
-        notes.extend(self.jumps.iter().flatten().cloned());
+        notes.extend_from_slice(&self.jumps);
         if self.speed.as_ref().is_some_and(|speed| !speed.filtered) {
             let details = vec![settings.options.low_pass_hz.to_string()];
             notes.push(Note::new(NoteKind::LowPassLeftOut, details));

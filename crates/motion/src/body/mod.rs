@@ -18,6 +18,7 @@ mod shape;
 mod sides;
 mod table;
 mod tokens;
+mod track_run;
 mod tree;
 mod trunk;
 
@@ -25,6 +26,7 @@ pub use find::find;
 pub use pelvis_frame::PelvisFrame;
 pub use role::{PRINCIPAL_JOINTS, Role, Side};
 pub use table::{PoseTable, TableBuilder};
+pub use track_run::TrackRun;
 
 use crate::clip::Clip;
 use crate::note::Note;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::{Body, PelvisFrame, Role};
+use super::{Body, PelvisFrame, Role, TrackRun};
 use crate::clip::Clip;
 use crate::kinematics::{Kinematics, WorldFromJoint};
 use crate::track::PelvisTrack;
@@ -62,15 +62,9 @@ impl PoseTable {
     /// The frames from `first_frame` on in the coordinates of `frame`; the table's memory is used
     /// again.
     pub fn into_track(self, frame: &PelvisFrame, first_frame: usize) -> PelvisTrack {
-        let mut coordinates = self.joints;
-        let left_out = first_frame * self.joint_count * AXES;
-        coordinates.drain(..left_out.min(coordinates.len()));
-        frame.apply(&mut coordinates);
-        PelvisTrack {
-            coordinates,
-            joint_count: self.joint_count,
-            first_frame,
-        }
+        let mut run = TrackRun::new(self, frame, first_frame);
+        run.advance(usize::MAX);
+        run.finish()
     }
 }
 

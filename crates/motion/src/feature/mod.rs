@@ -2,4 +2,4 @@
 
 pub mod posture_variation;
 
-pub use posture_variation::posture_variation;
+pub use posture_variation::{PostureVariation, posture_variation};

@@ -12,27 +12,46 @@ use crate::track::PelvisTrack;
 /// The pairs of axes of σ_xx, σ_yy, σ_zz, σ_xy, σ_yz, σ_zx.
 const AXES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
 
-/// The feature of a track; zeros for one without frames.
-///
-/// One pass over the frames with Welford's running mean and deviation, so that no large squares
-/// are subtracted.
-pub fn posture_variation(track: &PelvisTrack) -> [f64; 12] {
-    let mut mean = [0.0; 6];
-    let mut squares = [0.0; 6];
-    for frame in 0..track.frames() {
-        let count = (frame + 1) as f64;
-        let covariance = covariance(track.frame(frame));
-        for axis in 0..6 {
-            let before = covariance[axis] - mean[axis];
-            mean[axis] += before / count;
-            squares[axis] += before * (covariance[axis] - mean[axis]);
+/// The feature while frames come in, with Welford's running mean and deviation, so that no large
+/// squares are subtracted.
+#[derive(Clone, Debug, Default)]
+pub struct PostureVariation {
+    frames: usize,
+    mean: [f64; 6],
+    squares: [f64; 6],
+}
+
+impl PostureVariation {
+    /// Adds a frame: x, y, z of joint after joint.
+    pub fn add(&mut self, posture: &[f64]) {
+        self.frames += 1;
+        let count = self.frames as f64;
+        let covariance = covariance(posture);
+        let running = self.mean.iter_mut().zip(&mut self.squares);
+        for (value, (mean, squares)) in covariance.into_iter().zip(running) {
+            let before = value - *mean;
+            *mean += before / count;
+            *squares += before * (value - *mean);
         }
     }
-    let frames = track.frames().max(1) as f64;
-    std::array::from_fn(|index| match index {
-        0..6 => mean[index],
-        _ => (squares[index - 6] / frames).sqrt(),
-    })
+
+    /// The feature of the frames added; zeros without any.
+    pub fn feature(&self) -> [f64; 12] {
+        let frames = self.frames.max(1) as f64;
+        std::array::from_fn(|index| match index {
+            0..6 => self.mean[index],
+            _ => (self.squares[index - 6] / frames).sqrt(),
+        })
+    }
+}
+
+/// The feature of a track; zeros for one without frames.
+pub fn posture_variation(track: &PelvisTrack) -> [f64; 12] {
+    let mut variation = PostureVariation::default();
+    for frame in 0..track.frames() {
+        variation.add(track.frame(frame));
+    }
+    variation.feature()
 }
 
 /// The population covariance of the points of one posture, x, y, z after each other.

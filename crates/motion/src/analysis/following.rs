@@ -1,0 +1,71 @@
+//! One performer's analysed frames, some at a step: its track, and on the way the feature and the
+//! discontinuities, which need each frame once.
+
+use crate::body::{PelvisFrame, PoseTable, TrackRun};
+use crate::discontinuity;
+use crate::feature::PostureVariation;
+use crate::note::Note;
+use crate::rest;
+use crate::track::PelvisTrack;
+
+/// The frames while they are followed.
+#[derive(Clone, Debug)]
+pub struct Following {
+    run: TrackRun,
+    variation: PostureVariation,
+    steps: Vec<f64>,
+}
+
+/// What following the frames gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Followed {
+    pub track: PelvisTrack,
+    pub jumps: Vec<Note>,
+    /// None without frames.
+    pub feature: Option<[f64; 12]>,
+}
+
+impl Following {
+    /// The frames of `table` from `first_frame` on, in the coordinates of `frame`.
+    pub fn new(table: PoseTable, frame: &PelvisFrame, first_frame: usize) -> Self {
+        Self {
+            run: TrackRun::new(table, frame, first_frame),
+            variation: PostureVariation::default(),
+            steps: Vec::new(),
+        }
+    }
+
+    /// Numbers that are held.
+    pub fn capacity(&self) -> usize {
+        self.run.capacity()
+    }
+
+    /// The part done, from 0 to 1.
+    pub fn progress(&self) -> f64 {
+        self.run.done() as f64 / self.run.frames().max(1) as f64
+    }
+
+    /// Follows at most `frames` frames more; says whether all are done.
+    pub fn advance(&mut self, frames: usize) -> bool {
+        let first = self.run.done();
+        let is_complete = self.run.advance(frames);
+        for frame in first..self.run.done() {
+            self.variation.add(self.run.frame(frame));
+            if frame > 0 {
+                let (before, now) = (self.run.frame(frame - 1), self.run.frame(frame));
+                self.steps.push(rest::step_between(before, now));
+            }
+        }
+        is_complete
+    }
+
+    /// What was found in the frames followed.
+    pub fn finish(self) -> Followed {
+        let track = self.run.finish();
+        Followed {
+            jumps: discontinuity::among(&self.steps, track.first_frame),
+            feature: (track.frames() > 0).then(|| self.variation.feature()),
+            track,
+        }
+    }
+}
