@@ -574,7 +574,14 @@ fn a_decimal_comma_is_read_if_used_throughout() {
     );
     let expected =
         "8:12 decimal-comma: Numbers are written with a decimal comma; it was read as a point.";
-    assert_eq!(notes(&clip)[0], expected);
+    assert_eq!(notes(&clip), [expected]);
+}
+
+#[test]
+fn a_decimal_comma_of_the_frame_time_alone_is_read() {
+    let note =
+        "14:1 decimal-comma: Numbers are written with a decimal comma; it was read as a point.";
+    assert_eq!(frame_time("0,04"), (0.04, note.to_owned()));
 }
 
 #[test]

@@ -100,7 +100,7 @@ impl Header {
         let (seconds, assumed) = frame_time::seconds(&said.text);
         if let Some(kind) = assumed {
             notes.add(kind, said.place, vec![said.text.clone()]);
-        } else if number::mark(said.text.as_bytes()) == Some(Mark::Comma) {
+        } else if is_comma(&said.text) && !notes.contains(NoteKind::DecimalComma) {
             notes.add(NoteKind::DecimalComma, said.place, Vec::new());
         }
         seconds
@@ -131,6 +131,10 @@ impl Header {
             notes.add(NoteKind::FramesWithoutMotion, place, Vec::new());
         }
     }
+}
+
+fn is_comma(number: &str) -> bool {
+    number::mark(number.as_bytes()) == Some(Mark::Comma)
 }
 
 /// Whether a line of the hierarchy is the first of the header.

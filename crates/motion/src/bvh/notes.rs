@@ -30,6 +30,11 @@ impl Notes {
         }
     }
 
+    /// Whether a note of a kind was made.
+    pub fn contains(&self, kind: NoteKind) -> bool {
+        self.counts.contains_key(&kind)
+    }
+
     /// Adds all of `others`.
     pub fn append(&mut self, others: Notes) {
         for (kind, count) in others.counts {

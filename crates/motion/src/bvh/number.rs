@@ -18,16 +18,17 @@ const MOST_DIGITS: usize = 19;
 const MOST_EXACT: u64 = 1 << 53;
 
 /// Reads the number at `start` up to the first byte that does not belong to it, if it is of a
-/// plain shape: at most 19 digits, zeros at the beginning aside, and a small exponent.
+/// plain shape: at most 19 digits, zeros at the beginning aside, and a small exponent. `mark` is
+/// the decimal mark to read; without one only whole numbers are plain.
 #[inline]
-pub fn plain(bytes: &[u8], start: usize) -> Option<(f64, usize)> {
+pub fn plain(bytes: &[u8], start: usize, mark: Option<Mark>) -> Option<(f64, usize)> {
     let is_negative = bytes.get(start) == Some(&b'-');
     let first = start + usize::from(is_negative);
     let (whole, mut end) = digits(bytes, first, 0);
     let mut count = end - first;
     let mut significand = whole;
     let mut exponent = 0;
-    if bytes.get(end) == Some(&b'.') {
+    if mark.is_some_and(|mark| bytes.get(end) == Some(&(mark as u8))) {
         let decimals = end + 1;
         (significand, end) = digits(bytes, decimals, whole);
         count += end - decimals;
@@ -81,10 +82,10 @@ fn is_long(digits: &[u8]) -> bool {
     const LONGEST: usize = 64;
     let zeros = digits
         .iter()
-        .take_while(|byte| matches!(byte, b'0' | b'.'))
+        .take_while(|byte| !matches!(byte, b'1'..=b'9'))
         .count();
-    digits.len() > LONGEST
-        || digits[zeros..].iter().filter(|byte| **byte != b'.').count() > MOST_DIGITS
+    let others = digits[zeros..].iter().filter(|byte| byte.is_ascii_digit());
+    digits.len() > LONGEST || others.count() > MOST_DIGITS
 }
 
 /// The power of ten after an `e`.
@@ -166,11 +167,12 @@ pub fn looks_like_one(word: &[u8]) -> bool {
 
 /// Which mark stands before the decimals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
 pub enum Mark {
     /// `1.5`
-    Point,
+    Point = b'.',
     /// `1,5`
-    Comma,
+    Comma = b',',
 }
 
 /// The decimal mark in a word, if there is one.

@@ -5,7 +5,7 @@ use crate::test_random::Random;
 
 /// Reads the whole of `text` as a row does.
 fn read(text: &str) -> Word {
-    match plain(text.as_bytes(), 0) {
+    match plain(text.as_bytes(), 0, Some(Mark::Point)) {
         Some((number, end)) if end == text.len() => Word::Number(number),
         _ => word(text.as_bytes()),
     }
@@ -137,17 +137,23 @@ fn ordinary_numbers_take_the_plain_way() {
             format!("{usual:.6}"),
             format!("{usual:.6e}"),
         ] {
-            assert!(plain(text.as_bytes(), 0).is_some(), "{text}");
+            assert!(
+                plain(text.as_bytes(), 0, Some(Mark::Point)).is_some(),
+                "{text}"
+            );
         }
     }
 }
 
 #[test]
 fn a_number_ends_where_it_ends() {
-    assert_eq!(plain(b"x-1.5 2", 1), Some((-1.5, 5)));
-    assert_eq!(plain(b"1e5x", 0), Some((1e5, 3)));
+    assert_eq!(plain(b"x-1.5 2", 1, Some(Mark::Point)), Some((-1.5, 5)));
+    assert_eq!(plain(b"1e5x", 0, None), Some((1e5, 3)));
+    assert_eq!(plain(b"1.5", 0, None), Some((1.0, 1)));
+    assert_eq!(plain(b"1.5", 0, Some(Mark::Comma)), Some((1.0, 1)));
+    assert_eq!(plain(b"-1,25 ", 0, Some(Mark::Comma)), Some((-1.25, 5)));
     for text in ["", "-", ".", "-.", "e5", "1e", "1e+", "nan", "+1"] {
-        assert_eq!(plain(text.as_bytes(), 0), None, "{text}");
+        assert_eq!(plain(text.as_bytes(), 0, Some(Mark::Point)), None, "{text}");
     }
 }
 

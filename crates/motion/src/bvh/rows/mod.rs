@@ -124,13 +124,14 @@ impl Rows {
             Layout::Stream(_) => room,
             _ => room.min(self.width.saturating_sub(self.in_line)),
         };
-        if self.in_line == 0 || self.known.mark != Some(Mark::Point) {
+        if self.in_line == 0 {
             return start;
         }
+        let mark = self.known.mark;
         let mut at = start;
         for _ in 0..room {
             let first = skip_spaces(bytes, at);
-            let Some((value, end)) = number::plain(bytes, first) else {
+            let Some((value, end)) = number::plain(bytes, first, mark) else {
                 break;
             };
             if !bytes.get(end).is_some_and(|byte| is_blank(*byte)) {
