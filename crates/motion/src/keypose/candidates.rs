@@ -28,11 +28,11 @@ pub fn minima_by(len: usize, sample: impl Fn(usize) -> f64, floor: f64) -> Vec<u
         let next = sample(index);
         if next < value {
             valley = Some(index);
-        } else if next > value {
-            if let Some(first) = valley.take() {
-                kept.minimum((first + index - 1) / 2, value, bump);
-                bump = next;
-            }
+        } else if next > value
+            && let Some(first) = valley.take()
+        {
+            kept.minimum((first + index - 1) / 2, value, bump);
+            bump = next;
         }
         bump = bump.max(next);
         value = next;
