@@ -1,0 +1,25 @@
+/** One decision about a clip as a change that can be undone; what is absent is automatic. */
+import type { ClipId, Decisions } from '../engine/types'
+import type { MessageKey } from './i18n/catalogue'
+
+export type DecisionKey = keyof Decisions
+
+/** What the history calls it. */
+export const decisionLabels: Readonly<Record<DecisionKey, MessageKey>> = {
+  frameRateHz: 'change.frame-rate',
+  leadingRestFrames: 'change.leading-rest',
+  up: 'change.up',
+  unit: 'change.unit',
+}
+
+export interface DecisionChange {
+  readonly id: ClipId
+  readonly key: DecisionKey
+  /** undefined: back to automatic. */
+  readonly value: Decisions[DecisionKey] | undefined
+}
+
+export function withDecision(decisions: Decisions, { key, value }: Omit<DecisionChange, 'id'>): Decisions {
+  const rest = Object.fromEntries(Object.entries(decisions).filter(([known]) => known !== key))
+  return value === undefined ? rest : { ...rest, [key]: value }
+}

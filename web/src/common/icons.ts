@@ -1,0 +1,124 @@
+/** Names in; icons out: Lucide's (ISC licence) and our own three, drawn once into a sheet of symbols. */
+import { html, type TemplateResult } from 'lit-html'
+import {
+  ArrowUpDown,
+  Check,
+  ChevronDown,
+  ChevronLeft,
+  ChevronRight,
+  CircleCheck,
+  CircleQuestionMark,
+  Download,
+  FileUp,
+  Focus,
+  FolderOpen,
+  Gauge,
+  Info,
+  Lock,
+  Maximize,
+  Minus,
+  Moon,
+  OctagonX,
+  PanelLeft,
+  PanelRight,
+  Pause,
+  Play,
+  Plus,
+  Redo2,
+  Repeat,
+  RotateCcw,
+  Search,
+  StepBack,
+  StepForward,
+  Sun,
+  SunMoon,
+  TriangleAlert,
+  Undo2,
+  X,
+  type IconNode,
+} from 'lucide'
+
+const svgNamespace = 'http://www.w3.org/2000/svg'
+const disc = { fill: 'currentColor', stroke: 'none' }
+
+const shapes = {
+  'arrow-up-down': ArrowUpDown,
+  check: Check,
+  'chevron-down': ChevronDown,
+  'chevron-left': ChevronLeft,
+  'chevron-right': ChevronRight,
+  'circle-check': CircleCheck,
+  download: Download,
+  'file-up': FileUp,
+  focus: Focus,
+  'folder-open': FolderOpen,
+  gauge: Gauge,
+  help: CircleQuestionMark,
+  info: Info,
+  lock: Lock,
+  maximize: Maximize,
+  minus: Minus,
+  moon: Moon,
+  'octagon-x': OctagonX,
+  'panel-left': PanelLeft,
+  'panel-right': PanelRight,
+  pause: Pause,
+  play: Play,
+  plus: Plus,
+  redo: Redo2,
+  repeat: Repeat,
+  reset: RotateCcw,
+  search: Search,
+  'step-back': StepBack,
+  'step-forward': StepForward,
+  sun: Sun,
+  'sun-moon': SunMoon,
+  'triangle-alert': TriangleAlert,
+  undo: Undo2,
+  x: X,
+  'previous-keypose': [
+    ['path', { d: 'm18 6-6 6 6 6' }],
+    ['circle', { cx: 6, cy: 12, r: 2.6, ...disc }],
+  ],
+  'next-keypose': [
+    ['path', { d: 'm6 6 6 6-6 6' }],
+    ['circle', { cx: 18, cy: 12, r: 2.6, ...disc }],
+  ],
+} satisfies Record<string, IconNode>
+
+export type IconName = keyof typeof shapes
+
+function symbol(name: string, node: IconNode): SVGSymbolElement {
+  const result = document.createElementNS(svgNamespace, 'symbol')
+  result.id = `icon-${name}`
+  result.setAttribute('viewBox', '0 0 24 24')
+  for (const [tag, attributes] of node) {
+    const shape = document.createElementNS(svgNamespace, tag)
+    for (const [key, value] of Object.entries(attributes)) shape.setAttribute(key, String(value))
+    result.append(shape)
+  }
+  return result
+}
+
+/** Puts the sheet of symbols on the page; icons show from then on. */
+export function installIcons(parent: Element): void {
+  const sheet = document.createElementNS(svgNamespace, 'svg')
+  sheet.setAttribute('class', 'icon-sheet')
+  sheet.setAttribute('aria-hidden', 'true')
+  sheet.append(...Object.entries(shapes).map(([name, node]) => symbol(name, node)))
+  parent.prepend(sheet)
+}
+
+export function icon(name: IconName, size = 16): TemplateResult {
+  return html`<svg class="icon icon-${name}" width=${size} height=${size} viewBox="0 0 24 24" aria-hidden="true">
+    <use href="#icon-${name}" />
+  </svg>`
+}
+
+/** The mark: a valley with a disc at rest. */
+export function mark(): TemplateResult {
+  return html`<svg class="mark" width="22" height="22" viewBox="0 0 22 22" aria-hidden="true">
+    <path class="mark-valley" d="M2.2 4.2C5.2 4.2 6.2 14.4 11 14.4S16.8 4.2 19.8 4.2" />
+    <circle class="mark-disc" cx="11" cy="14.4" r="3.6" />
+  </svg>`
+}

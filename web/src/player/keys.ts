@@ -1,0 +1,95 @@
+/**
+ * A key press in; the command that it stands for out. Keys mean nothing while somebody writes or chooses
+ * in a field; Space and Enter belong to the button in focus.
+ */
+export type KeyCommand =
+  | 'play'
+  | 'frame-back'
+  | 'frame-on'
+  | 'tenth-back'
+  | 'tenth-on'
+  | 'next-keypose'
+  | 'previous-keypose'
+  | 'first-frame'
+  | 'last-frame'
+  | 'slower'
+  | 'faster'
+  | 'loop'
+  | 'help'
+  | 'filter'
+  | 'undo'
+  | 'redo'
+
+export interface KeyPress {
+  readonly key: string
+  readonly shiftKey: boolean
+  readonly ctrlKey: boolean
+  readonly metaKey: boolean
+  readonly altKey: boolean
+}
+
+/** What the keyboard is in: a field takes every key, a button that was reached by key takes Space. */
+export type KeyFocus = 'page' | 'button' | 'field'
+
+const plainKeys: Readonly<Record<string, KeyCommand>> = {
+  ' ': 'play',
+  ArrowLeft: 'frame-back',
+  ArrowRight: 'frame-on',
+  k: 'next-keypose',
+  Home: 'first-frame',
+  End: 'last-frame',
+  '-': 'slower',
+  '+': 'faster',
+  '=': 'faster',
+  l: 'loop',
+  '?': 'help',
+  '/': 'filter',
+}
+
+/** `?`, `+`, `/` and `-` need Shift on some keyboards and not on others. */
+const shiftKeys: Readonly<Record<string, KeyCommand>> = {
+  ArrowLeft: 'tenth-back',
+  ArrowRight: 'tenth-on',
+  k: 'previous-keypose',
+  '+': 'faster',
+  '?': 'help',
+  '/': 'filter',
+  '-': 'slower',
+}
+
+function historyCommand(key: string, shift: boolean): KeyCommand | null {
+  if (key === 'z') return shift ? 'redo' : 'undo'
+  return key === 'y' && !shift ? 'redo' : null
+}
+
+export function commandFor(press: KeyPress, focus: KeyFocus): KeyCommand | null {
+  if (press.altKey || focus === 'field') return null
+  const key = press.key.length === 1 ? press.key.toLowerCase() : press.key
+  if (press.ctrlKey || press.metaKey) return historyCommand(key, press.shiftKey)
+  if (key === ' ' && focus === 'button') return null
+  return (press.shiftKey ? shiftKeys : plainKeys)[key] ?? null
+}
+
+const writtenInputs = new Set(['checkbox', 'radio', 'button', 'file', 'submit'])
+
+export function focusOf(target: EventTarget | null): KeyFocus {
+  if (!(target instanceof HTMLElement)) return 'page'
+  if (target.isContentEditable || target.matches('textarea, select')) return 'field'
+  if (target instanceof HTMLInputElement) return writtenInputs.has(target.type) ? 'button' : 'field'
+  const button = target.closest('button, a[href], summary, [role="menuitem"], [role="menuitemradio"]')
+  return button?.matches(':focus-visible') ? 'button' : 'page'
+}
+
+/** Listens on a document; whoever handles a key first keeps it by `preventDefault`. */
+export function listenToKeys(target: Document, run: (command: KeyCommand) => void): () => void {
+  const listener = (event: KeyboardEvent): void => {
+    const modal = target.querySelector('dialog[open]') !== null
+    if (event.defaultPrevented || event.isComposing || modal) return
+    const command = commandFor(event, focusOf(event.target))
+    if (!command) return
+    event.preventDefault()
+    run(command)
+  }
+  target.addEventListener('keydown', listener)
+  return () => target.removeEventListener('keydown', listener)
+}

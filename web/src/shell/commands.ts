@@ -1,0 +1,37 @@
+/** A command of the keyboard in; what it does on the page out. */
+import type { Context } from '../app/context'
+import type { KeyCommand } from '../player/keys'
+
+type Run = (context: Context) => void
+
+const tenthS = 0.1
+
+const commands: Readonly<Record<KeyCommand, Run>> = {
+  play: ({ playback }) => playback.toggle(),
+  'frame-back': ({ playback }) => playback.step(-1),
+  'frame-on': ({ playback }) => playback.step(1),
+  'tenth-back': ({ playback }) => playback.skip(-tenthS),
+  'tenth-on': ({ playback }) => playback.skip(tenthS),
+  'next-keypose': ({ playback }) => playback.keypose(1),
+  'previous-keypose': ({ playback }) => playback.keypose(-1),
+  'first-frame': ({ playback }) => playback.toEnd(-1),
+  'last-frame': ({ playback }) => playback.toEnd(1),
+  slower: ({ playback }) => playback.speed(-1),
+  faster: ({ playback }) => playback.speed(1),
+  loop: ({ playback }) => playback.loop(),
+  help: ({ store }) => {
+    store.helpOpen.value = true
+  },
+  filter: ({ panels, store }) => {
+    if (store.present.peek().length === 0) return
+    if (!panels.library.open.peek()) panels.library.toggle()
+    // The panel shows with the next frame.
+    requestAnimationFrame(() => requestAnimationFrame(() => document.querySelector<HTMLElement>('#filter')?.focus()))
+  },
+  undo: ({ actions }) => actions.undo(),
+  redo: ({ actions }) => actions.redo(),
+}
+
+export function runCommand(context: Context, command: KeyCommand): void {
+  commands[command](context)
+}
