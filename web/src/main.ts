@@ -9,7 +9,7 @@ import { createPreferences } from './app/preferences'
 import { createStore } from './app/store'
 import { createTheme } from './app/theme'
 import { installIcons } from './common/icons'
-import { startEngine } from './engine/start'
+import { createBrowserEngine } from './engine/browser-engine'
 import { followOpenClip } from './player/follow-clip'
 import { listenToKeys } from './player/keys'
 import { createPlayback } from './player/playback'
@@ -25,7 +25,7 @@ function createContext(): Context {
   const language = createLanguage(preferences, navigator.languages)
   const store = createStore()
   const history = createHistory()
-  const engine = startEngine()
+  const engine = createBrowserEngine(location.search)
   const actions = createActions({ engine, store, history, words: () => language.words.peek() })
   return {
     engine,

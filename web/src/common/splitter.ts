@@ -9,7 +9,6 @@ export interface Splitter {
   readonly usual: number
   readonly least: number
   readonly most: number
-  readonly label: () => string
 }
 
 const keyStepPx = 16
