@@ -1,32 +1,32 @@
 /** Where the page begins: state, engine and views are made here and handed to each other. */
-import './styles/index.css'
-import { createActions } from './app/actions'
-import type { Context } from './app/context'
-import { createHistory } from './app/history'
-import { createLanguage } from './app/language'
-import { createPanels } from './app/panels'
-import { createPreferences } from './app/preferences'
-import { createStore } from './app/store'
-import { createTheme } from './app/theme'
-import { installIcons } from './common/icons'
-import { createBrowserEngine } from './engine/browser-engine'
-import { followOpenClip } from './player/follow-clip'
-import { listenToKeys } from './player/keys'
-import { createPlayback } from './player/playback'
-import { runCommand } from './shell/commands'
-import { listenToDrops } from './shell/drop'
-import { layOut } from './shell/layout'
-import { mountPage } from './shell/page'
-import { createPicker } from './shell/pick'
-import { installTips } from './shell/tips'
+import './styles/index.css';
+import { createActions } from './app/actions';
+import type { Context } from './app/context';
+import { createHistory } from './app/history';
+import { createLanguage } from './app/language';
+import { createPanels } from './app/panels';
+import { createPreferences } from './app/preferences';
+import { createStore } from './app/store';
+import { createTheme } from './app/theme';
+import { installIcons } from './common/icons';
+import { createBrowserEngine } from './engine/browser-engine';
+import { followOpenClip } from './player/follow-clip';
+import { listenToKeys } from './player/keys';
+import { createPlayback } from './player/playback';
+import { runCommand } from './shell/commands';
+import { listenToDrops } from './shell/drop';
+import { layOut } from './shell/layout';
+import { mountPage } from './shell/page';
+import { createPicker } from './shell/pick';
+import { installTips } from './shell/tips';
 
 function createContext(): Context {
-  const preferences = createPreferences(() => localStorage)
-  const language = createLanguage(preferences, navigator.languages)
-  const store = createStore()
-  const history = createHistory()
-  const engine = createBrowserEngine(location.search)
-  const actions = createActions({ engine, store, history, words: () => language.words.peek() })
+  const preferences = createPreferences(() => localStorage);
+  const language = createLanguage(preferences, navigator.languages);
+  const store = createStore();
+  const history = createHistory();
+  const engine = createBrowserEngine(location.search);
+  const actions = createActions({ engine, store, history, words: () => language.words.peek() });
   return {
     engine,
     store,
@@ -38,27 +38,27 @@ function createContext(): Context {
     panels: createPanels(preferences, (query) => matchMedia(query)),
     preferences,
     picker: createPicker(document.body, (given) => actions.take(given)),
-  }
+  };
 }
 
 function start(root: HTMLElement): void {
-  const context = createContext()
-  const { store, actions } = context
-  installIcons(document.body)
-  installTips(document.body)
-  followOpenClip(store, context.playback, context.engine)
+  const context = createContext();
+  const { store, actions } = context;
+  installIcons(document.body);
+  installTips(document.body);
+  followOpenClip(store, context.playback, context.engine);
   mountPage(layOut(root), context, {
     off: new URLSearchParams(location.search).get('stage') === 'off',
     reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches,
-  })
-  listenToKeys(document, (command) => runCommand(context, command))
+  });
+  listenToKeys(document, (command) => runCommand(context, command));
   listenToDrops(document, {
     onHover: (over) => {
-      store.dropping.value = over
+      store.dropping.value = over;
     },
     onDrop: (given) => actions.take(given),
-  })
+  });
 }
 
-const root = document.querySelector<HTMLElement>('#app')
-if (root) start(root)
+const root = document.querySelector<HTMLElement>('#app');
+if (root) start(root);

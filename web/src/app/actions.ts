@@ -1,53 +1,56 @@
 /** What a person can do on the page, in verbs; every view's event ends in one of them. */
-import { batch } from '@preact/signals-core'
-import type { ClipId, ClipSource, Engine, ExportKind } from '../engine/types'
-import { saveText } from '../common/save-text'
-import { createAnalysis } from './analysis'
-import { decisionLabels, withDecision, type DecisionChange } from './decisions'
-import { failureOf } from './failure'
-import type { History } from './history'
-import type { Words } from './i18n/catalogue'
-import type { Given } from './intake'
-import { createLoader } from './loading'
-import { toastOfReport } from './report'
-import { patchClip, type Store } from './store'
+import { batch } from '@preact/signals-core';
+import type { ClipId, ClipSource, Engine, ExportKind } from '../engine/types';
+import { saveText } from '../common/save-text';
+import { createAnalysis } from './analysis';
+import { decisionLabels, withDecision, type DecisionChange } from './decisions';
+import { failureOf } from './failure';
+import type { History } from './history';
+import type { Words } from './i18n/catalogue';
+import type { Given } from './intake';
+import { createLoader } from './loading';
+import { toastOfReport } from './report';
+import { patchClip, type Store } from './store';
 
 export interface Actions {
-  take(given: readonly Given[]): void
-  openSample(id: string): void
-  cancelLoading(): void
-  openClip(id: ClipId | null): void
-  openNeighbour(direction: 1 | -1): void
-  choosePerformer(index: number): void
-  remove(id: ClipId): void
-  decide(change: DecisionChange): void
-  exportClip(id: ClipId, kind: ExportKind): void
-  undo(): void
-  redo(): void
+  readonly take: (given: readonly Given[]) => void;
+  readonly openSample: (id: string) => void;
+  readonly cancelLoading: () => void;
+  readonly openClip: (id: ClipId | null) => void;
+  readonly openNeighbour: (direction: 1 | -1) => void;
+  readonly choosePerformer: (index: number) => void;
+  readonly remove: (id: ClipId) => void;
+  readonly decide: (change: DecisionChange) => void;
+  readonly exportClip: (id: ClipId, kind: ExportKind) => void;
+  readonly undo: () => void;
+  readonly redo: () => void;
 }
 
 export interface ActionParts {
-  readonly engine: Engine
-  readonly store: Store
-  readonly history: History
-  readonly words: () => Words
+  readonly engine: Engine;
+  readonly store: Store;
+  readonly history: History;
+  readonly words: () => Words;
 }
 
-const extensions: Readonly<Record<ExportKind, string>> = { 'keyposes-csv': 'csv', 'keyposes-json': 'json' }
+const extensions: Readonly<Record<ExportKind, string>> = {
+  'keyposes-csv': 'csv',
+  'keyposes-json': 'json',
+};
 
 export function createActions(parts: ActionParts): Actions {
-  return new PageActions(parts)
+  return new PageActions(parts);
 }
 
 class PageActions implements Actions {
-  private readonly parts: ActionParts
-  private readonly analysis
-  private readonly loader
+  private readonly parts: ActionParts;
+  private readonly analysis;
+  private readonly loader;
 
   constructor(parts: ActionParts) {
-    const { engine, store } = parts
-    this.parts = parts
-    this.analysis = createAnalysis(engine, store, (name, error) => this.tellError(name, error))
+    const { engine, store } = parts;
+    this.parts = parts;
+    this.analysis = createAnalysis(engine, store, (name, error) => this.tellError(name, error));
     this.loader = createLoader({
       engine,
       store,
@@ -55,121 +58,124 @@ class PageActions implements Actions {
       now: () => performance.now(),
       onReady: (id, batchSize) => this.openFirst(id, batchSize),
       onEnd: (report) => {
-        if (report.known.length === 1 && report.clips.length === 0) this.openClip(report.known[0]!)
-        const toast = toastOfReport(report, store, parts.words(), (id) => this.openClip(id))
-        if (toast) store.toast.value = toast
+        if (report.known.length === 1 && report.clips.length === 0) this.openClip(report.known[0]!);
+        const toast = toastOfReport(report, store, parts.words(), (id) => this.openClip(id));
+        if (toast) store.toast.value = toast;
       },
-    })
+    });
   }
 
   take(given: readonly Given[]): void {
-    void this.loader.take(given)
+    void this.loader.take(given);
   }
 
   openSample(id: string): void {
     this.parts.engine
       .sample(id)
       .then((source: ClipSource) => this.loader.add([source]))
-      .catch((error: unknown) => this.tellError(id, error))
+      .catch((error: unknown) => this.tellError(id, error));
   }
 
   cancelLoading(): void {
-    this.loader.cancel()
+    this.loader.cancel();
   }
 
   openClip(id: ClipId | null): void {
-    const { store } = this.parts
-    if (id === store.openId.peek()) return
+    const { store } = this.parts;
+    if (id === store.openId.peek()) return;
     batch(() => {
-      store.openId.value = id
-      store.performer.value = 0
-      store.hoverFrame.value = null
-    })
+      store.openId.value = id;
+      store.performer.value = 0;
+      store.hoverFrame.value = null;
+    });
   }
 
   openNeighbour(direction: 1 | -1): void {
-    const shown = this.parts.store.shown.peek()
-    const index = shown.findIndex(({ id }) => id === this.parts.store.openId.peek())
-    const next = shown[index + direction]
-    if (next) this.openClip(next.id)
+    const shown = this.parts.store.shown.peek();
+    const index = shown.findIndex(({ id }) => id === this.parts.store.openId.peek());
+    const next = shown[index + direction];
+    if (next) this.openClip(next.id);
   }
 
   choosePerformer(index: number): void {
-    this.parts.store.performer.value = index
+    this.parts.store.performer.value = index;
   }
 
   remove(id: ClipId): void {
-    const { store, history, words } = this.parts
-    const name = store.clips.peek()[id]?.source.name ?? ''
-    const wasOpen = store.openId.peek() === id
+    const { store, history, words } = this.parts;
+    const name = store.clips.peek()[id]?.source.name ?? '';
+    const wasOpen = store.openId.peek() === id;
     history.run({
       label: words().t('change.remove', name),
       apply: () => this.takeOut(id),
       revert: () => {
-        patchClip(store, id, { removed: false })
-        if (wasOpen) this.openClip(id)
+        patchClip(store, id, { removed: false });
+        if (wasOpen) this.openClip(id);
       },
       settle: () => this.parts.engine.close(id),
-    })
-    const undo = { label: words().t('toast.undo'), run: () => this.undo() }
-    store.toast.value = { kind: 'done', text: words().t('toast.removed', name), action: undo }
+    });
+    const undo = { label: words().t('toast.undo'), run: () => this.undo() };
+    store.toast.value = { kind: 'done', text: words().t('toast.removed', name), action: undo };
   }
 
   decide(change: DecisionChange): void {
-    const { store, history, words } = this.parts
-    const before = store.clips.peek()[change.id]?.decisions
-    if (!before || before[change.key] === change.value) return
-    const after = withDecision(before, change)
+    const { store, history, words } = this.parts;
+    const before = store.clips.peek()[change.id]?.decisions;
+    if (!before || before[change.key] === change.value) return;
+    const after = withDecision(before, change);
     history.run({
       label: words().t(decisionLabels[change.key]),
       apply: () => this.analysis.decide(change.id, after),
       revert: () => this.analysis.decide(change.id, before),
-    })
+    });
   }
 
   exportClip(id: ClipId, kind: ExportKind): void {
-    const { engine, store, words } = this.parts
-    const name = store.clips.peek()[id]?.source.name ?? ''
-    const fileName = `${name.replace(/\.bvh$/i, '')}.keyposes.${extensions[kind]}`
+    const { engine, store, words } = this.parts;
+    const name = store.clips.peek()[id]?.source.name ?? '';
+    const fileName = `${name.replace(/\.bvh$/i, '')}.keyposes.${extensions[kind]}`;
     engine
       .exportText(id, kind)
       .then((text) => {
-        saveText(fileName, text, kind === 'keyposes-csv' ? 'text/csv' : 'application/json')
-        store.toast.value = { kind: 'done', text: words().t('toast.saved', fileName) }
+        saveText(fileName, text, kind === 'keyposes-csv' ? 'text/csv' : 'application/json');
+        store.toast.value = { kind: 'done', text: words().t('toast.saved', fileName) };
       })
-      .catch((error: unknown) => this.tellError(name, error))
+      .catch((error: unknown) => this.tellError(name, error));
   }
 
   undo(): void {
-    this.parts.store.toast.value = null
-    this.parts.history.undo()
+    this.parts.store.toast.value = null;
+    this.parts.history.undo();
   }
 
   redo(): void {
-    this.parts.store.toast.value = null
-    this.parts.history.redo()
+    this.parts.store.toast.value = null;
+    this.parts.history.redo();
   }
 
   /** Out of the library; an open clip gives its place to its neighbour. */
   private takeOut(id: ClipId): void {
-    const { store } = this.parts
-    const shown = store.shown.peek()
-    const index = shown.findIndex((clip) => clip.id === id)
-    const neighbour = shown[index + 1] ?? shown[index - 1] ?? null
-    const wasOpen = store.openId.peek() === id
+    const { store } = this.parts;
+    const shown = store.shown.peek();
+    const index = shown.findIndex((clip) => clip.id === id);
+    const neighbour = shown[index + 1] ?? shown[index - 1] ?? null;
+    const wasOpen = store.openId.peek() === id;
     batch(() => {
-      patchClip(store, id, { removed: true })
-      if (wasOpen) this.openClip(neighbour?.id ?? null)
-    })
+      patchClip(store, id, { removed: true });
+      if (wasOpen) this.openClip(neighbour?.id ?? null);
+    });
   }
 
   /** A clip that has become ready opens by itself where none is open, or where it came alone. */
   private openFirst(id: ClipId, batchSize: number): void {
-    if (this.parts.store.openClip.peek() === null || batchSize === 1) this.openClip(id)
+    if (this.parts.store.openClip.peek() === null || batchSize === 1) this.openClip(id);
   }
 
   private tellError(name: string, error: unknown): void {
-    const { t, failure } = this.parts.words()
-    this.parts.store.toast.value = { kind: 'error', text: t('toast.error', name, failure(failureOf(error))) }
+    const { t, failure } = this.parts.words();
+    this.parts.store.toast.value = {
+      kind: 'error',
+      text: t('toast.error', name, failure(failureOf(error))),
+    };
   }
 }

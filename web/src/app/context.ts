@@ -1,24 +1,24 @@
 /** Everything that the wiring of the page hands around: the state and those who may change it. */
-import type { Engine } from '../engine/types'
-import type { Playback } from '../player/playback'
-import type { Actions } from './actions'
-import type { History } from './history'
-import type { LanguageState } from './language'
-import type { Panels } from './panels'
-import type { Preferences } from './preferences'
-import type { Store } from './store'
-import type { ThemeState } from './theme'
+import type { Engine } from '../engine/types';
+import type { Playback } from '../player/playback';
+import type { Actions } from './actions';
+import type { History } from './history';
+import type { LanguageState } from './language';
+import type { Panels } from './panels';
+import type { Preferences } from './preferences';
+import type { Store } from './store';
+import type { ThemeState } from './theme';
 
 export interface Context {
-  readonly engine: Engine
-  readonly store: Store
-  readonly history: History
-  readonly playback: Playback
-  readonly actions: Actions
-  readonly language: LanguageState
-  readonly theme: ThemeState
-  readonly panels: Panels
-  readonly preferences: Preferences
+  readonly engine: Engine;
+  readonly store: Store;
+  readonly history: History;
+  readonly playback: Playback;
+  readonly actions: Actions;
+  readonly language: LanguageState;
+  readonly theme: ThemeState;
+  readonly panels: Panels;
+  readonly preferences: Preferences;
   /** The browser's own dialogs. */
-  readonly picker: { files(): void; folder(): void }
+  readonly picker: { files(): void; folder(): void };
 }

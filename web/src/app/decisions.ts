@@ -1,8 +1,8 @@
 /** One decision about a clip as a change that can be undone; what is absent is automatic. */
-import type { ClipId, Decisions } from '../engine/types'
-import type { MessageKey } from './i18n/catalogue'
+import type { ClipId, Decisions } from '../engine/types';
+import type { MessageKey } from './i18n/catalogue';
 
-export type DecisionKey = keyof Decisions
+export type DecisionKey = keyof Decisions;
 
 /** What the history calls it. */
 export const decisionLabels: Readonly<Record<DecisionKey, MessageKey>> = {
@@ -10,16 +10,19 @@ export const decisionLabels: Readonly<Record<DecisionKey, MessageKey>> = {
   leadingRestFrames: 'change.leading-rest',
   up: 'change.up',
   unit: 'change.unit',
-}
+};
 
 export interface DecisionChange {
-  readonly id: ClipId
-  readonly key: DecisionKey
+  readonly id: ClipId;
+  readonly key: DecisionKey;
   /** undefined: back to automatic. */
-  readonly value: Decisions[DecisionKey] | undefined
+  readonly value: Decisions[DecisionKey] | undefined;
 }
 
-export function withDecision(decisions: Decisions, { key, value }: Omit<DecisionChange, 'id'>): Decisions {
-  const rest = Object.fromEntries(Object.entries(decisions).filter(([known]) => known !== key))
-  return value === undefined ? rest : { ...rest, [key]: value }
+export function withDecision(
+  decisions: Decisions,
+  { key, value }: Omit<DecisionChange, 'id'>,
+): Decisions {
+  const rest = Object.fromEntries(Object.entries(decisions).filter(([known]) => known !== key));
+  return value === undefined ? rest : { ...rest, [key]: value };
 }

@@ -3,43 +3,56 @@
  * other or move, so that they do not jump.
  */
 export interface Format {
-  integer(value: number): string
-  decimal(value: number, digits: number): string
+  readonly integer: (value: number) => string;
+  readonly decimal: (value: number, digits: number) => string;
   /** Up to `digits` digits after the point, none that say nothing: 120, 59.94. */
-  short(value: number, digits: number): string
+  readonly short: (value: number, digits: number) => string;
   /** The length of a clip: 6.0, or 12:05 from two minutes on (then without a unit). */
-  duration(seconds: number): { readonly text: string; readonly inSeconds: boolean }
-  bytes(count: number): string
+  readonly duration: (seconds: number) => { readonly text: string; readonly inSeconds: boolean };
+  readonly bytes: (count: number) => string;
   /** How a p-value is told: "= 0.012", "< 10⁻¹⁶". */
-  probability(p: number): string
+  readonly probability: (p: number) => string;
 }
 
 const superscripts: Readonly<Record<string, string>> = {
-  '-': '⁻', '0': '⁰', '1': '¹', '2': '²', '3': '³', '4': '⁴', '5': '⁵', '6': '⁶', '7': '⁷', '8': '⁸', '9': '⁹',
-}
+  '-': '⁻',
+  '0': '⁰',
+  '1': '¹',
+  '2': '²',
+  '3': '³',
+  '4': '⁴',
+  '5': '⁵',
+  '6': '⁶',
+  '7': '⁷',
+  '8': '⁸',
+  '9': '⁹',
+};
 
-const superscript = (value: number): string => [...String(value)].map((sign) => superscripts[sign] ?? sign).join('')
+const superscript = (value: number): string =>
+  [...String(value)].map((sign) => superscripts[sign] ?? sign).join('');
 
-const smallestExponent = -300
+const smallestExponent = -300;
 
 function clockText(seconds: number): string {
-  const whole = Math.round(seconds)
-  const pad = (value: number): string => String(value).padStart(2, '0')
-  const minutes = Math.floor(whole / 60)
-  const rest = pad(whole % 60)
-  return minutes < 60 ? `${minutes}:${rest}` : `${Math.floor(minutes / 60)}:${pad(minutes % 60)}:${rest}`
+  const whole = Math.round(seconds);
+  const pad = (value: number): string => String(value).padStart(2, '0');
+  const minutes = Math.floor(whole / 60);
+  const rest = pad(whole % 60);
+  return minutes < 60
+    ? `${minutes}:${rest}`
+    : `${Math.floor(minutes / 60)}:${pad(minutes % 60)}:${rest}`;
 }
 
 export function createFormat(language: string): Format {
-  const formats = new Map<string, Intl.NumberFormat>()
+  const formats = new Map<string, Intl.NumberFormat>();
   const number = (value: number, options: Intl.NumberFormatOptions): string => {
-    const key = JSON.stringify(options)
-    const format = formats.get(key) ?? new Intl.NumberFormat(language, options)
-    formats.set(key, format)
-    return format.format(value)
-  }
+    const key = JSON.stringify(options);
+    const format = formats.get(key) ?? new Intl.NumberFormat(language, options);
+    formats.set(key, format);
+    return format.format(value);
+  };
   const decimal = (value: number, digits: number): string =>
-    number(value, { minimumFractionDigits: digits, maximumFractionDigits: digits })
+    number(value, { minimumFractionDigits: digits, maximumFractionDigits: digits });
 
   return {
     integer: (value) => number(value, { maximumFractionDigits: 0 }),
@@ -50,13 +63,24 @@ export function createFormat(language: string): Format {
         ? { text: decimal(seconds, 1), inSeconds: true }
         : { text: clockText(seconds), inSeconds: false },
     bytes: (count) => {
-      const [value, unit] = count < 1e6 ? [count / 1e3, 'kilobyte'] : count < 1e9 ? [count / 1e6, 'megabyte'] : [count / 1e9, 'gigabyte']
-      return number(value, { style: 'unit', unit, unitDisplay: 'short', maximumFractionDigits: value < 100 ? 1 : 0 })
+      const [value, unit] =
+        count < 1e6
+          ? [count / 1e3, 'kilobyte']
+          : count < 1e9
+            ? [count / 1e6, 'megabyte']
+            : [count / 1e9, 'gigabyte'];
+      return number(value, {
+        style: 'unit',
+        unit,
+        unitDisplay: 'short',
+        maximumFractionDigits: value < 100 ? 1 : 0,
+      });
     },
     probability: (p) => {
-      if (p >= 0.001) return `= ${decimal(p, 3)}`
-      const exponent = p > 0 ? Math.max(smallestExponent, Math.ceil(Math.log10(p))) : smallestExponent
-      return `< 10${superscript(exponent)}`
+      if (p >= 0.001) return `= ${decimal(p, 3)}`;
+      const exponent =
+        p > 0 ? Math.max(smallestExponent, Math.ceil(Math.log10(p))) : smallestExponent;
+      return `< 10${superscript(exponent)}`;
     },
-  }
+  };
 }

@@ -2,57 +2,60 @@
  * What a person did, in order, to be undone and redone. An entry knows how to go both ways; the history
  * knows only which one is next.
  */
-import { computed, signal, type ReadonlySignal } from '@preact/signals-core'
+import { computed, signal, type ReadonlySignal } from '@preact/signals-core';
 
 export interface Change {
   /** What was done, for the button's tip. */
-  readonly label: string
-  apply(): void
-  revert(): void
+  readonly label: string;
+  readonly apply: () => void;
+  readonly revert: () => void;
   /** Called once when the change can no longer be reverted. */
-  settle?(): void
+  readonly settle?: () => void;
 }
 
 export interface History {
   /** Applies a change and remembers it; what had been undone is forgotten. */
-  run(change: Change): void
-  undo(): void
-  redo(): void
-  readonly next: ReadonlySignal<{ readonly undo: Change | undefined; readonly redo: Change | undefined }>
+  readonly run: (change: Change) => void;
+  readonly undo: () => void;
+  readonly redo: () => void;
+  readonly next: ReadonlySignal<{
+    readonly undo: Change | undefined;
+    readonly redo: Change | undefined;
+  }>;
 }
 
-export const historyLimit = 200
+export const historyLimit = 200;
 
 export function createHistory(limit = historyLimit): History {
-  const done = signal<readonly Change[]>([])
-  const undone = signal<readonly Change[]>([])
+  const done = signal<readonly Change[]>([]);
+  const undone = signal<readonly Change[]>([]);
 
   const remember = (change: Change): void => {
-    const all = [...done.value, change]
-    for (const old of all.slice(0, Math.max(0, all.length - limit))) old.settle?.()
-    done.value = all.slice(-limit)
-  }
+    const all = [...done.value, change];
+    for (const old of all.slice(0, Math.max(0, all.length - limit))) old.settle?.();
+    done.value = all.slice(-limit);
+  };
 
   return {
     run(change) {
-      change.apply()
-      undone.value = []
-      remember(change)
+      change.apply();
+      undone.value = [];
+      remember(change);
     },
     undo() {
-      const change = done.value.at(-1)
-      if (!change) return
-      done.value = done.value.slice(0, -1)
-      undone.value = [...undone.value, change]
-      change.revert()
+      const change = done.value.at(-1);
+      if (!change) return;
+      done.value = done.value.slice(0, -1);
+      undone.value = [...undone.value, change];
+      change.revert();
     },
     redo() {
-      const change = undone.value.at(-1)
-      if (!change) return
-      undone.value = undone.value.slice(0, -1)
-      remember(change)
-      change.apply()
+      const change = undone.value.at(-1);
+      if (!change) return;
+      undone.value = undone.value.slice(0, -1);
+      remember(change);
+      change.apply();
     },
     next: computed(() => ({ undo: done.value.at(-1), redo: undone.value.at(-1) })),
-  }
+  };
 }

@@ -1,41 +1,41 @@
 /** Names of clips in; how they are told apart and shortened out. */
-import type { ClipId } from '../engine/types'
-import type { Clip } from './clips'
+import type { ClipId } from '../engine/types';
+import type { Clip } from './clips';
 
 function numbered(clips: readonly Clip[]): (readonly [ClipId, string])[] {
-  return clips.map((clip, index) => [clip.id, `(${index + 1})`] as const)
+  return clips.map((clip, index) => [clip.id, `(${index + 1})`] as const);
 }
 
 function qualified(namesakes: readonly Clip[]): (readonly [ClipId, string])[] {
-  const byFolder = groupBy(namesakes, ({ source }) => source.folder)
+  const byFolder = groupBy(namesakes, ({ source }) => source.folder);
   return [...byFolder].flatMap(([folder, clips]) => {
-    if (clips.length === 1) return [[clips[0]!.id, folder] as const]
-    return numbered(clips).map(([id, number]) => [id, `${folder} ${number}`.trim()] as const)
-  })
+    if (clips.length === 1) return [[clips[0]!.id, folder] as const];
+    return numbered(clips).map(([id, number]) => [id, `${folder} ${number}`.trim()] as const);
+  });
 }
 
 function groupBy<T>(items: readonly T[], key: (item: T) => string): Map<string, T[]> {
-  const groups = new Map<string, T[]>()
+  const groups = new Map<string, T[]>();
   for (const item of items) {
-    const group = groups.get(key(item))
-    if (group) group.push(item)
-    else groups.set(key(item), [item])
+    const group = groups.get(key(item));
+    if (group) group.push(item);
+    else groups.set(key(item), [item]);
   }
-  return groups
+  return groups;
 }
 
 /** For clips that share their name: the folder or a number that tells them apart. */
 export function qualifiers(clips: readonly Clip[]): ReadonlyMap<ClipId, string> {
-  const byName = groupBy(clips, ({ source }) => source.name)
-  const shared = [...byName.values()].filter((namesakes) => namesakes.length > 1)
-  return new Map(shared.flatMap(qualified))
+  const byName = groupBy(clips, ({ source }) => source.name);
+  const shared = [...byName.values()].filter((namesakes) => namesakes.length > 1);
+  return new Map(shared.flatMap(qualified));
 }
 
-export const tailLength = 9
+export const tailLength = 9;
 
 /** A name in two parts: the first may be cut short, the second always shows. */
 export function splitName(name: string): readonly [string, string] {
-  const signs = [...name]
-  const cut = Math.max(0, signs.length - Math.min(tailLength, Math.floor(signs.length / 2)))
-  return [signs.slice(0, cut).join(''), signs.slice(cut).join('')]
+  const signs = [...name];
+  const cut = Math.max(0, signs.length - Math.min(tailLength, Math.floor(signs.length / 2)));
+  return [signs.slice(0, cut).join(''), signs.slice(cut).join('')];
 }

@@ -1,5 +1,5 @@
 /** Notes of a clip in; which of them ask for a look out. */
-import type { ClipResult, Note } from '../engine/types'
+import type { ClipResult, Note } from '../engine/types';
 
 /** Kinds that may have changed what is shown; the others only tell what was done as a matter of course. */
 const warningKinds: ReadonlySet<string> = new Set([
@@ -28,17 +28,17 @@ const warningKinds: ReadonlySet<string> = new Set([
   'too-short',
   'unknown-line',
   'up-assumed',
-])
+]);
 
-export const isWarning = ({ kind }: Note): boolean => warningKinds.has(kind)
+export const isWarning = ({ kind }: Note): boolean => warningKinds.has(kind);
 
 /** The notes of the reading, then those of each performer; each one once. */
 export function notesOf({ notes, performers }: ClipResult): readonly Note[] {
-  const seen = new Set<string>()
+  const seen = new Set<string>();
   return [...notes, ...performers.flatMap((performer) => performer.notes)].filter((note) => {
-    const key = JSON.stringify(note)
-    return !seen.has(key) && seen.add(key)
-  })
+    const key = JSON.stringify(note);
+    return !seen.has(key) && seen.add(key);
+  });
 }
 
-export const warningsAmong = (notes: readonly Note[]): number => notes.filter(isWarning).length
+export const warningsAmong = (notes: readonly Note[]): number => notes.filter(isWarning).length;

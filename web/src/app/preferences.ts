@@ -3,24 +3,24 @@
  * that refuses storage simply forgets.
  */
 export interface Preferences {
-  get(key: string): string | null
-  set(key: string, value: string): void
+  readonly get: (key: string) => string | null;
+  readonly set: (key: string, value: string) => void;
 }
 
-const prefix = 'keypose.'
+const prefix = 'keypose.';
 
 export function createPreferences(storage: () => Storage): Preferences {
   const attempt = <T>(use: (storage: Storage) => T): T | null => {
     try {
-      return use(storage())
+      return use(storage());
     } catch {
-      return null
+      return null;
     }
-  }
+  };
   return {
     get: (key) => attempt((store) => store.getItem(prefix + key)),
     set: (key, value) => {
-      attempt((store) => store.setItem(prefix + key, value))
+      attempt((store) => store.setItem(prefix + key, value));
     },
-  }
+  };
 }

@@ -2,68 +2,68 @@
  * The one state of the page. Actions write it, views read it; what follows from it is computed here
  * once. Clips are never moved in their list, so that a clip's id is its index.
  */
-import { computed, signal, type ReadonlySignal, type Signal } from '@preact/signals-core'
-import type { ClipId, ClipSource, PerformerResult } from '../engine/types'
-import { nearestIndex } from '../player/neighbours'
-import { keyposeFrames, newClip, type Clip } from './clips'
-import { qualifiers } from './names'
-import { filterClips, sortClips, type Sort } from './order'
+import { computed, signal, type ReadonlySignal, type Signal } from '@preact/signals-core';
+import type { ClipId, ClipSource, PerformerResult } from '../engine/types';
+import { nearestIndex } from '../player/neighbours';
+import { keyposeFrames, newClip, type Clip } from './clips';
+import { qualifiers } from './names';
+import { filterClips, sortClips, type Sort } from './order';
 
-export type ViewPreset = 'front' | 'side' | 'top'
+export type ViewPreset = 'front' | 'side' | 'top';
 
 export interface PlaybackState {
-  readonly frame: number
-  readonly playing: boolean
-  readonly speed: number
-  readonly looping: boolean
+  readonly frame: number;
+  readonly playing: boolean;
+  readonly speed: number;
+  readonly looping: boolean;
 }
 
 /** Files on their way into the library. */
 export interface LoadingState {
-  readonly total: number
-  readonly done: number
-  readonly failed: number
+  readonly total: number;
+  readonly done: number;
+  readonly failed: number;
   /** Folders and archives are still being gone through. */
-  readonly searching: boolean
+  readonly searching: boolean;
   /** 0 to 1, by bytes. */
-  readonly fraction: number
+  readonly fraction: number;
   /** null while too little is done to tell. */
-  readonly secondsLeft: number | null
+  readonly secondsLeft: number | null;
 }
 
 export interface Toast {
-  readonly kind: 'done' | 'error' | 'info'
-  readonly text: string
-  readonly action?: { readonly label: string; run(): void }
+  readonly kind: 'done' | 'error' | 'info';
+  readonly text: string;
+  readonly action?: { readonly label: string; readonly run: () => void };
 }
 
 export interface Store {
-  readonly clips: Signal<readonly Clip[]>
-  readonly openId: Signal<ClipId | null>
-  readonly performer: Signal<number>
-  readonly sort: Signal<Sort>
-  readonly filter: Signal<string>
-  readonly playback: Signal<PlaybackState>
-  readonly hoverFrame: Signal<number | null>
-  readonly view: Signal<ViewPreset | null>
-  readonly follow: Signal<boolean>
-  readonly loading: Signal<LoadingState | null>
-  readonly toast: Signal<Toast | null>
-  readonly helpOpen: Signal<boolean>
-  readonly dropping: Signal<boolean>
+  readonly clips: Signal<readonly Clip[]>;
+  readonly openId: Signal<ClipId | null>;
+  readonly performer: Signal<number>;
+  readonly sort: Signal<Sort>;
+  readonly filter: Signal<string>;
+  readonly playback: Signal<PlaybackState>;
+  readonly hoverFrame: Signal<number | null>;
+  readonly view: Signal<ViewPreset | null>;
+  readonly follow: Signal<boolean>;
+  readonly loading: Signal<LoadingState | null>;
+  readonly toast: Signal<Toast | null>;
+  readonly helpOpen: Signal<boolean>;
+  readonly dropping: Signal<boolean>;
   /** The clips that are not removed, in order of arrival. */
-  readonly present: ReadonlySignal<readonly Clip[]>
+  readonly present: ReadonlySignal<readonly Clip[]>;
   /** The rows of the library. */
-  readonly shown: ReadonlySignal<readonly Clip[]>
-  readonly qualifiers: ReadonlySignal<ReadonlyMap<ClipId, string>>
-  readonly openClip: ReadonlySignal<Clip | null>
-  readonly openPerformer: ReadonlySignal<PerformerResult | null>
-  readonly keyposeFrames: ReadonlySignal<Int32Array>
+  readonly shown: ReadonlySignal<readonly Clip[]>;
+  readonly qualifiers: ReadonlySignal<ReadonlyMap<ClipId, string>>;
+  readonly openClip: ReadonlySignal<Clip | null>;
+  readonly openPerformer: ReadonlySignal<PerformerResult | null>;
+  readonly keyposeFrames: ReadonlySignal<Int32Array>;
   /** Index of the keypose nearest to the playhead. */
-  readonly currentKeypose: ReadonlySignal<number | null>
+  readonly currentKeypose: ReadonlySignal<number | null>;
 }
 
-export const stillPlayback: PlaybackState = { frame: 0, playing: false, speed: 1, looping: false }
+export const stillPlayback: PlaybackState = { frame: 0, playing: false, speed: 1, looping: false };
 
 function writtenState() {
   return {
@@ -80,43 +80,49 @@ function writtenState() {
     toast: signal<Toast | null>(null),
     helpOpen: signal(false),
     dropping: signal(false),
-  }
+  };
 }
 
 export function createStore(): Store {
-  const state = writtenState()
-  const present = computed(() => state.clips.value.filter(({ removed }) => !removed))
+  const state = writtenState();
+  const present = computed(() => state.clips.value.filter(({ removed }) => !removed));
   const openClip = computed(() => {
-    const clip = state.openId.value === null ? undefined : state.clips.value[state.openId.value]
-    return clip && !clip.removed ? clip : null
-  })
-  const openPerformer = computed(() => openClip.value?.result?.performers[state.performer.value] ?? null)
-  const frames = computed(() => (openPerformer.value ? keyposeFrames(openPerformer.value) : new Int32Array()))
-  const names = computed(() => qualifiers(present.value))
+    const clip = state.openId.value === null ? undefined : state.clips.value[state.openId.value];
+    return clip && !clip.removed ? clip : null;
+  });
+  const openPerformer = computed(
+    () => openClip.value?.result?.performers[state.performer.value] ?? null,
+  );
+  const frames = computed(() =>
+    openPerformer.value ? keyposeFrames(openPerformer.value) : new Int32Array(),
+  );
+  const names = computed(() => qualifiers(present.value));
   return {
     ...state,
     present,
-    shown: computed(() => sortClips(filterClips(present.value, state.filter.value), state.sort.value)),
+    shown: computed(() =>
+      sortClips(filterClips(present.value, state.filter.value), state.sort.value),
+    ),
     qualifiers: names,
     openClip,
     openPerformer,
     keyposeFrames: frames,
     currentKeypose: computed(() => nearestIndex(frames.value, state.playback.value.frame)),
-  }
+  };
 }
 
 /** Changes some fields of one clip. */
 export function patchClip(store: Store, id: ClipId, fields: Partial<Clip>): void {
-  const clips = store.clips.peek()
-  const clip = clips[id]
-  if (!clip) return
-  const next = [...clips]
-  next[id] = { ...clip, ...fields }
-  store.clips.value = next
+  const clips = store.clips.peek();
+  const clip = clips[id];
+  if (!clip) return;
+  const next = [...clips];
+  next[id] = { ...clip, ...fields };
+  store.clips.value = next;
 }
 
 export function addClip(store: Store, source: ClipSource): Clip {
-  const clip = newClip(store.clips.peek().length, source)
-  store.clips.value = [...store.clips.peek(), clip]
-  return clip
+  const clip = newClip(store.clips.peek().length, source);
+  store.clips.value = [...store.clips.peek(), clip];
+  return clip;
 }

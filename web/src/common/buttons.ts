@@ -1,20 +1,20 @@
 /** The buttons of the page; one that shows an icon alone has a name and a tip with its key. */
-import { html, nothing, type TemplateResult } from 'lit-html'
-import { icon, type IconName } from './icons'
+import { html, nothing, type TemplateResult } from 'lit-html';
+import { icon, type IconName } from './icons';
 
 export interface IconButton {
-  readonly name: IconName
-  readonly label: string
-  readonly size?: number
-  readonly small?: boolean
-  readonly disabled?: boolean
+  readonly name: IconName;
+  readonly label: string;
+  readonly size?: number;
+  readonly small?: boolean;
+  readonly disabled?: boolean;
   /** Given for buttons that stay on or off. */
-  readonly pressed?: boolean
+  readonly pressed?: boolean;
   /** As `aria-keyshortcuts` has it. */
-  readonly keys?: string
+  readonly keys?: string;
   /** The key as the tip shows it. */
-  readonly keyText?: string
-  readonly onPress: () => void
+  readonly keyText?: string;
+  readonly onPress: () => void;
 }
 
 export function iconButton(props: IconButton): TemplateResult {
@@ -28,5 +28,7 @@ export function iconButton(props: IconButton): TemplateResult {
     data-key=${props.keyText ?? nothing}
     ?disabled=${props.disabled ?? false}
     @click=${props.onPress}
-  >${icon(props.name, props.size ?? (props.small ? 15 : 16))}</button>`
+  >
+    ${icon(props.name, props.size ?? (props.small ? 15 : 16))}
+  </button>`;
 }

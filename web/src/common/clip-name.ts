@@ -1,11 +1,12 @@
 /** A file name that loses its middle where room is short, and what tells it from its namesakes. */
-import { html, nothing, type TemplateResult } from 'lit-html'
-import { splitName } from '../app/names'
+import { html, nothing, type TemplateResult } from 'lit-html';
+import { splitName } from '../app/names';
 
 export function clipName(name: string, qualifier = ''): TemplateResult {
-  const [head, tail] = splitName(name)
+  const [head, tail] = splitName(name);
   return html`<span class="clip-name" title=${qualifier ? `${qualifier} ${name}` : name}
-    ><span class="name-head">${head}</span><span class="name-tail">${tail}</span>${qualifier
-      ? html`<span class="qualifier">${qualifier}</span>`
-      : nothing}</span>`
+    ><span class="name-head">${head}</span><span class="name-tail">${tail}</span>${
+      qualifier ? html`<span class="qualifier">${qualifier}</span>` : nothing
+    }</span
+  >`;
 }

@@ -1,43 +1,49 @@
 /** What templates need and lit has only as style attributes, which the page's policy forbids. */
-import { nothing, type ElementPart } from 'lit-html'
-import { Directive, directive, PartType, type PartInfo } from 'lit-html/directive.js'
+import { nothing, type ElementPart } from 'lit-html';
+import { Directive, directive, PartType, type PartInfo } from 'lit-html/directive.js';
 
 class StyleDirective extends Directive {
   constructor(part: PartInfo) {
-    super(part)
-    if (part.type !== PartType.ELEMENT) throw new Error('styled() stands inside a tag')
+    super(part);
+    if (part.type !== PartType.ELEMENT) throw new Error('styled() stands inside a tag');
   }
 
   override render(_properties: Readonly<Record<string, string>>): typeof nothing {
-    return nothing
+    return nothing;
   }
 
-  override update(part: ElementPart, [properties]: [Readonly<Record<string, string>>]): typeof nothing {
-    const { style } = part.element as HTMLElement | SVGElement
-    for (const [name, value] of Object.entries(properties)) style.setProperty(name, value)
-    return nothing
+  override update(
+    part: ElementPart,
+    [properties]: [Readonly<Record<string, string>>],
+  ): typeof nothing {
+    const { style } = part.element as HTMLElement | SVGElement;
+    for (const [name, value] of Object.entries(properties)) style.setProperty(name, value);
+    return nothing;
   }
 }
 
 /** Sets CSS properties of the element by name. */
-export const styled = directive(StyleDirective)
+export const styled = directive(StyleDirective);
 
 class NodeDirective extends Directive {
-  private key: unknown = undefined
+  private key: unknown = undefined;
 
   override render(_key: unknown, _draw: (element: Element) => void): typeof nothing {
-    return nothing
+    return nothing;
   }
 
-  override update(part: ElementPart, [key, draw]: [unknown, (element: Element) => void]): typeof nothing {
+  override update(
+    part: ElementPart,
+    [key, draw]: [unknown, (element: Element) => void],
+  ): typeof nothing {
     if (key !== this.key) {
-      this.key = key
-      part.element.replaceChildren()
-      draw(part.element)
+      this.key = key;
+      part.element.replaceChildren();
+      draw(part.element);
     }
-    return nothing
+    return nothing;
   }
 }
 
 /** Lets `draw` fill the element by hand whenever `key` is another one. */
-export const drawn = directive(NodeDirective)
+export const drawn = directive(NodeDirective);

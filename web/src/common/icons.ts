@@ -1,5 +1,5 @@
 /** Names in; icons out: Lucide's (ISC licence) and our own three, drawn once into a sheet of symbols. */
-import { html, type TemplateResult } from 'lit-html'
+import { html, type TemplateResult } from 'lit-html';
 import {
   ArrowUpDown,
   Check,
@@ -36,10 +36,10 @@ import {
   Undo2,
   X,
   type IconNode,
-} from 'lucide'
+} from 'lucide';
 
-const svgNamespace = 'http://www.w3.org/2000/svg'
-const disc = { fill: 'currentColor', stroke: 'none' }
+const svgNamespace = 'http://www.w3.org/2000/svg';
+const disc = { fill: 'currentColor', stroke: 'none' };
 
 const shapes = {
   'arrow-up-down': ArrowUpDown,
@@ -84,35 +84,41 @@ const shapes = {
     ['path', { d: 'm6 6 6 6-6 6' }],
     ['circle', { cx: 18, cy: 12, r: 2.6, ...disc }],
   ],
-} satisfies Record<string, IconNode>
+} satisfies Record<string, IconNode>;
 
-export type IconName = keyof typeof shapes
+export type IconName = keyof typeof shapes;
 
 function symbol(name: string, node: IconNode): SVGSymbolElement {
-  const result = document.createElementNS(svgNamespace, 'symbol')
-  result.id = `icon-${name}`
-  result.setAttribute('viewBox', '0 0 24 24')
+  const result = document.createElementNS(svgNamespace, 'symbol');
+  result.id = `icon-${name}`;
+  result.setAttribute('viewBox', '0 0 24 24');
   for (const [tag, attributes] of node) {
-    const shape = document.createElementNS(svgNamespace, tag)
-    for (const [key, value] of Object.entries(attributes)) shape.setAttribute(key, String(value))
-    result.append(shape)
+    const shape = document.createElementNS(svgNamespace, tag);
+    for (const [key, value] of Object.entries(attributes)) shape.setAttribute(key, String(value));
+    result.append(shape);
   }
-  return result
+  return result;
 }
 
 /** Puts the sheet of symbols on the page; icons show from then on. */
 export function installIcons(parent: Element): void {
-  const sheet = document.createElementNS(svgNamespace, 'svg')
-  sheet.setAttribute('class', 'icon-sheet')
-  sheet.setAttribute('aria-hidden', 'true')
-  sheet.append(...Object.entries(shapes).map(([name, node]) => symbol(name, node)))
-  parent.prepend(sheet)
+  const sheet = document.createElementNS(svgNamespace, 'svg');
+  sheet.setAttribute('class', 'icon-sheet');
+  sheet.setAttribute('aria-hidden', 'true');
+  sheet.append(...Object.entries(shapes).map(([name, node]) => symbol(name, node)));
+  parent.prepend(sheet);
 }
 
 export function icon(name: IconName, size = 16): TemplateResult {
-  return html`<svg class="icon icon-${name}" width=${size} height=${size} viewBox="0 0 24 24" aria-hidden="true">
+  return html`<svg
+    class="icon icon-${name}"
+    width=${size}
+    height=${size}
+    viewBox="0 0 24 24"
+    aria-hidden="true"
+  >
     <use href="#icon-${name}" />
-  </svg>`
+  </svg>`;
 }
 
 /** The mark: a valley with a disc at rest. */
@@ -120,5 +126,5 @@ export function mark(): TemplateResult {
   return html`<svg class="mark" width="22" height="22" viewBox="0 0 22 22" aria-hidden="true">
     <path class="mark-valley" d="M2.2 4.2C5.2 4.2 6.2 14.4 11 14.4S16.8 4.2 19.8 4.2" />
     <circle class="mark-disc" cx="11" cy="14.4" r="3.6" />
-  </svg>`
+  </svg>`;
 }

@@ -1,49 +1,57 @@
 /** A panel whose inner edge can be dragged, or moved by the arrow keys, within limits; double-click resets. */
-import type { Preferences } from '../app/preferences'
+import type { Preferences } from '../app/preferences';
 
 export interface Splitter {
-  readonly panel: HTMLElement
+  readonly panel: HTMLElement;
   /** Which edge of the panel moves. */
-  readonly edge: 'left' | 'right'
-  readonly property: string
-  readonly usual: number
-  readonly least: number
-  readonly most: number
+  readonly edge: 'left' | 'right';
+  readonly property: string;
+  readonly usual: number;
+  readonly least: number;
+  readonly most: number;
 }
 
-const keyStepPx = 16
+const keyStepPx = 16;
 
-export function installSplitter(splitter: Splitter, preferences: Preferences): { readonly element: HTMLElement } {
-  const { panel, edge, property, usual, least, most } = splitter
-  const handle = document.createElement('div')
-  handle.className = `splitter ${edge}`
-  handle.tabIndex = 0
-  const attributes = { role: 'separator', 'aria-orientation': 'vertical', 'aria-valuemin': String(least), 'aria-valuemax': String(most) }
-  for (const [name, value] of Object.entries(attributes)) handle.setAttribute(name, value)
+export function installSplitter(
+  splitter: Splitter,
+  preferences: Preferences,
+): { readonly element: HTMLElement } {
+  const { panel, edge, property, usual, least, most } = splitter;
+  const handle = document.createElement('div');
+  handle.className = `splitter ${edge}`;
+  handle.tabIndex = 0;
+  const attributes = {
+    role: 'separator',
+    'aria-orientation': 'vertical',
+    'aria-valuemin': String(least),
+    'aria-valuemax': String(most),
+  };
+  for (const [name, value] of Object.entries(attributes)) handle.setAttribute(name, value);
 
   const set = (width: number): void => {
-    const within = Math.round(Math.min(Math.max(width, least), most))
-    document.documentElement.style.setProperty(property, `${within}px`)
-    handle.setAttribute('aria-valuenow', String(within))
-    preferences.set(property, String(within))
-  }
-  const outward = edge === 'right' ? 1 : -1
+    const within = Math.round(Math.min(Math.max(width, least), most));
+    document.documentElement.style.setProperty(property, `${within}px`);
+    handle.setAttribute('aria-valuenow', String(within));
+    preferences.set(property, String(within));
+  };
+  const outward = edge === 'right' ? 1 : -1;
   handle.addEventListener('pointerdown', (event) => {
-    if (event.button === 0) handle.setPointerCapture(event.pointerId)
-  })
+    if (event.button === 0) handle.setPointerCapture(event.pointerId);
+  });
   handle.addEventListener('pointermove', (event) => {
-    if (!handle.hasPointerCapture(event.pointerId)) return
-    const box = panel.getBoundingClientRect()
-    set(edge === 'right' ? event.clientX - box.left : box.right - event.clientX)
-  })
-  handle.addEventListener('dblclick', () => set(usual))
+    if (!handle.hasPointerCapture(event.pointerId)) return;
+    const box = panel.getBoundingClientRect();
+    set(edge === 'right' ? event.clientX - box.left : box.right - event.clientX);
+  });
+  handle.addEventListener('dblclick', () => set(usual));
   handle.addEventListener('keydown', (event) => {
-    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key]
-    if (!step) return
-    event.preventDefault()
-    set(panel.clientWidth + step * outward * keyStepPx)
-  })
-  const stored = Number(preferences.get(property) ?? Number.NaN)
-  set(Number.isFinite(stored) ? stored : usual)
-  return { element: handle }
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    set(panel.clientWidth + step * outward * keyStepPx);
+  });
+  const stored = Number(preferences.get(property) ?? Number.NaN);
+  set(Number.isFinite(stored) ? stored : usual);
+  return { element: handle };
 }

@@ -1,74 +1,80 @@
 /** The picture over the buttons: a real curve of motion speed, and over its valleys the keyposes. */
-import { html, nothing, svg, type TemplateResult } from 'lit-html'
-import type { Words } from '../app/i18n/catalogue'
-import { drawn } from '../common/directives'
-import { drawFlatFigure } from '../figure/draw-flat-figure'
-import type { SamplePicture } from './sample-picture'
-import { spread } from './spread'
+import { html, nothing, svg, type TemplateResult } from 'lit-html';
+import type { Words } from '../app/i18n/catalogue';
+import { drawn } from '../common/directives';
+import { drawFlatFigure } from '../figure/draw-flat-figure';
+import type { SamplePicture } from './sample-picture';
+import { spread } from './spread';
 
-const width = 1080
-const height = 300
-const sidePadding = 90
-const baseY = height - 8
-const curveHeight = 86
-const groundY = 176
-const bodyPx = 108
-const figureDistance = 92
+const width = 1080;
+const height = 300;
+const sidePadding = 90;
+const baseY = height - 8;
+const curveHeight = 86;
+const groundY = 176;
+const bodyPx = 108;
+const figureDistance = 92;
 /** More would stand in each other's way. */
-const mostFigures = 10
-const dotRadius = 5
+const mostFigures = 10;
+const dotRadius = 5;
 
 interface Place {
-  readonly index: number
+  readonly index: number;
   /** The pin on the curve. */
-  readonly x: number
-  readonly y: number
+  readonly x: number;
+  readonly y: number;
   /** The figure above it. */
-  readonly figureX: number
+  readonly figureX: number;
 }
 
 interface Layout {
-  readonly curve: string
-  readonly area: string
-  readonly places: readonly Place[]
+  readonly curve: string;
+  readonly area: string;
+  readonly places: readonly Place[];
 }
 
 function layout({ keyposes, frames }: SamplePicture): Layout {
-  const shown = Array.from(frames).slice(0, mostFigures)
-  const first = shown[0] ?? 0
-  const last = shown.at(-1) ?? 1
-  const scale = (width - 2 * sidePadding) / Math.max(1, last - first)
-  const x = (frame: number): number => sidePadding + (frame - first) * scale
+  const shown = Array.from(frames).slice(0, mostFigures);
+  const first = shown[0] ?? 0;
+  const last = shown.at(-1) ?? 1;
+  const scale = (width - 2 * sidePadding) / Math.max(1, last - first);
+  const x = (frame: number): number => sidePadding + (frame - first) * scale;
   const y = (frame: number): number =>
-    baseY - ((keyposes.speed[frame - keyposes.firstFrame] ?? 0) / keyposes.maximumSpeed) * curveHeight
+    baseY -
+    ((keyposes.speed[frame - keyposes.firstFrame] ?? 0) / keyposes.maximumSpeed) * curveHeight;
   const points = Array.from(keyposes.speed.keys(), (index) => index + keyposes.firstFrame)
     .filter((frame) => x(frame) > -4 && x(frame) < width + 4)
-    .map((frame) => `${x(frame).toFixed(1)} ${y(frame).toFixed(1)}`)
-  const figureX = spread(shown.map(x), figureDistance, sidePadding - 10, width - sidePadding + 10)
-  const curve = `M${points.join('L')}`
+    .map((frame) => `${x(frame).toFixed(1)} ${y(frame).toFixed(1)}`);
+  const figureX = spread(shown.map(x), figureDistance, sidePadding - 10, width - sidePadding + 10);
+  const curve = `M${points.join('L')}`;
   return {
     curve,
     area: `${curve}V${baseY}H${points[0]?.split(' ')[0] ?? 0}Z`,
-    places: shown.map((frame, index) => ({ index, x: x(frame), y: y(frame), figureX: figureX[index] ?? 0 })),
-  }
+    places: shown.map((frame, index) => ({
+      index,
+      x: x(frame),
+      y: y(frame),
+      figureX: figureX[index] ?? 0,
+    })),
+  };
 }
 
 function thread({ x, y, figureX }: Place): TemplateResult {
-  return svg`<path class="hero-thread" d="M${figureX} ${groundY + 9}C${figureX} ${groundY + 30} ${x} ${groundY + 18} ${x} ${y - 6}" />`
+  return svg`<path class="hero-thread" d="M${figureX} ${groundY + 9}C${figureX} ${groundY + 30} ${x} ${groundY + 18} ${x} ${y - 6}" />`;
 }
 
 function drawFigures(group: Element, picture: SamplePicture, places: readonly Place[]): void {
   for (const { index, figureX } of places) {
-    const figure = picture.figures[index]
-    if (!figure) continue
-    const x = figureX - (bodyPx * (figure.minX + figure.maxX)) / 2
-    drawFlatFigure(group, figure, { scale: bodyPx, x, groundY })
+    const figure = picture.figures[index];
+    if (!figure) continue;
+    const x = figureX - (bodyPx * (figure.minX + figure.maxX)) / 2;
+    drawFlatFigure(group, figure, { scale: bodyPx, x, groundY });
   }
 }
 
 function content(picture: SamplePicture, { t }: Words): TemplateResult {
-  const { curve, area, places } = layout(picture)
-  const [first] = places
+  const { curve, area, places } = layout(picture);
+  const [first] = places;
   return svg`
     <defs>
       <linearGradient id="hero-fade"><stop offset="0" stop-color="#fff" stop-opacity="0" /><stop offset=".07" stop-color="#fff" />
@@ -78,16 +84,25 @@ function content(picture: SamplePicture, { t }: Words): TemplateResult {
     <g mask="url(#hero-mask)"><path class="hero-area" d=${area} /><path class="hero-curve" d=${curve} /></g>
     ${places.map(thread)}
     ${places.map(({ x, y }) => svg`<circle class="hero-dot" cx=${x} cy=${y} r=${dotRadius} />`)}
-    ${first
-      ? svg`<text class="hero-label" x="44" y=${baseY - 36}>${t('empty.speed')}</text>
+    ${
+      first
+        ? svg`<text class="hero-label" x="44" y=${baseY - 36}>${t('empty.speed')}</text>
         <text class="hero-keypose" x=${first.x + 12} y=${Math.min(first.y + 18, baseY - 3)}>${t('empty.settles')}</text>`
-      : nothing}
+        : nothing
+    }
     <g ${drawn(picture, (group) => drawFigures(group, picture, places))}></g>
-  `
+  `;
 }
 
 /** Its room is there from the start, so that nothing moves when the picture comes. */
 export function hero(picture: SamplePicture | null, words: Words): TemplateResult {
-  return html`<svg class="hero ${picture ? 'shown' : ''}" viewBox="0 0 ${width} ${height}" preserveAspectRatio="xMidYMax slice"
-    role="img" aria-label=${words.t('empty.picture')}>${picture ? content(picture, words) : nothing}</svg>`
+  return html`<svg
+    class="hero ${picture ? 'shown' : ''}"
+    viewBox="0 0 ${width} ${height}"
+    preserveAspectRatio="xMidYMax slice"
+    role="img"
+    aria-label=${words.t('empty.picture')}
+  >
+    ${picture ? content(picture, words) : nothing}
+  </svg>`;
 }

@@ -1,18 +1,21 @@
 /** The side panel on the page. */
-import { nothing } from 'lit-html'
-import type { Context } from '../app/context'
-import { mount } from '../common/mount'
-import { inspector } from './inspector'
+import { nothing } from 'lit-html';
+import type { Context } from '../app/context';
+import { mount } from '../common/mount';
+import { inspector } from './inspector';
 
-export function mountInspector(place: HTMLElement, { store, actions, playback, language }: Context): void {
-  const body = document.createElement('div')
-  body.className = 'inspector-body'
-  place.append(body)
+export function mountInspector(
+  place: HTMLElement,
+  { store, actions, playback, language }: Context,
+): void {
+  const body = document.createElement('div');
+  body.className = 'inspector-body';
+  place.append(body);
   mount(body, () => {
-    const words = language.words.value
-    place.setAttribute('aria-label', words.t('inspector.label'))
-    const clip = store.openClip.value
-    if (!clip) return nothing
+    const words = language.words.value;
+    place.setAttribute('aria-label', words.t('inspector.label'));
+    const clip = store.openClip.value;
+    if (!clip) return nothing;
     return inspector({
       words,
       clip,
@@ -21,6 +24,6 @@ export function mountInspector(place: HTMLElement, { store, actions, playback, l
       onPerformer: (index) => actions.choosePerformer(index),
       onFrame: (frame) => playback.seek(frame),
       onExport: (kind) => actions.exportClip(clip.id, kind),
-    })
-  })
+    });
+  });
 }

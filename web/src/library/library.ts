@@ -1,37 +1,37 @@
 /** The clips of the page: filter, order, rows. Only the rows in sight exist. */
-import { html, nothing, type TemplateResult } from 'lit-html'
-import { repeat } from 'lit-html/directives/repeat.js'
-import type { ClipId } from '../engine/types'
-import type { Clip } from '../app/clips'
-import type { MessageKey, Words } from '../app/i18n/catalogue'
-import { sortKeys, type Sort, type SortKey } from '../app/order'
-import { iconButton } from '../common/buttons'
-import { styled } from '../common/directives'
-import { icon } from '../common/icons'
-import { menuButton, type MenuItem } from '../common/menu'
-import { libraryRow, rowHeightPx } from './row'
-import { rowWindow } from './row-window'
+import { html, nothing, type TemplateResult } from 'lit-html';
+import { repeat } from 'lit-html/directives/repeat.js';
+import type { ClipId } from '../engine/types';
+import type { Clip } from '../app/clips';
+import type { MessageKey, Words } from '../app/i18n/catalogue';
+import { sortKeys, type Sort, type SortKey } from '../app/order';
+import { iconButton } from '../common/buttons';
+import { styled } from '../common/directives';
+import { icon } from '../common/icons';
+import { menuButton, type MenuItem } from '../common/menu';
+import { libraryRow, rowHeightPx } from './row';
+import { rowWindow } from './row-window';
 
 export interface LibraryProps {
-  readonly words: Words
+  readonly words: Words;
   /** The clips that the filter lets through, in their order. */
-  readonly rows: readonly Clip[]
-  readonly total: number
-  readonly bytes: number
-  readonly openId: ClipId | null
-  readonly qualifiers: ReadonlyMap<ClipId, string>
-  readonly filter: string
-  readonly sort: Sort
-  readonly scrollTop: number
-  readonly viewHeight: number
-  onOpen(id: ClipId): void
-  onRemove(id: ClipId): void
-  onNeighbour(direction: 1 | -1): void
-  onFilter(filter: string): void
-  onSort(sort: Sort): void
-  onScroll(scrollTop: number): void
-  onAddFiles(): void
-  onAddFolder(): void
+  readonly rows: readonly Clip[];
+  readonly total: number;
+  readonly bytes: number;
+  readonly openId: ClipId | null;
+  readonly qualifiers: ReadonlyMap<ClipId, string>;
+  readonly filter: string;
+  readonly sort: Sort;
+  readonly scrollTop: number;
+  readonly viewHeight: number;
+  readonly onOpen: (id: ClipId) => void;
+  readonly onRemove: (id: ClipId) => void;
+  readonly onNeighbour: (direction: 1 | -1) => void;
+  readonly onFilter: (filter: string) => void;
+  readonly onSort: (sort: Sort) => void;
+  readonly onScroll: (scrollTop: number) => void;
+  readonly onAddFiles: () => void;
+  readonly onAddFolder: () => void;
 }
 
 const sortLabels: Readonly<Record<SortKey, MessageKey>> = {
@@ -39,59 +39,79 @@ const sortLabels: Readonly<Record<SortKey, MessageKey>> = {
   name: 'sort.name',
   length: 'sort.length',
   keyposes: 'sort.keyposes',
-}
+};
 
 function sortItems({ words: { t }, sort, onSort }: LibraryProps): MenuItem[] {
   const keys = sortKeys.map((key) => ({
     label: t(sortLabels[key]),
     checked: key === sort.key,
     onChoose: () => onSort({ ...sort, key }),
-  }))
+  }));
   const directions = [false, true].map((descending, index) => ({
     label: t(descending ? 'sort.descending' : 'sort.ascending'),
     checked: descending === sort.descending,
     apart: index === 0,
     onChoose: () => onSort({ ...sort, descending }),
-  }))
-  return [...keys, ...directions]
+  }));
+  return [...keys, ...directions];
 }
 
 function head(props: LibraryProps): TemplateResult {
-  const { t } = props.words
-  const { rows, total } = props
+  const { t } = props.words;
+  const { rows, total } = props;
   const addItems: MenuItem[] = [
     { label: t('library.add.files'), icon: 'file-up', onChoose: props.onAddFiles },
     { label: t('library.add.folder'), icon: 'folder-open', onChoose: props.onAddFolder },
-  ]
+  ];
   return html`<div class="panel-head">
     <h2>${t('library.title')}</h2>
-    <span class="library-count">${rows.length === total ? t('library.count', total) : t('library.count.shown', rows.length, total)}</span>
+    <span class="library-count"
+      >${rows.length === total ? t('library.count', total) : t('library.count.shown', rows.length, total)}</span
+    >
     ${menuButton({ id: 'sort-menu', name: 'arrow-up-down', label: t('library.sort'), items: sortItems(props) })}
     ${menuButton({ id: 'add-menu', name: 'plus', label: t('library.add'), items: addItems })}
-  </div>`
+  </div>`;
 }
 
 function filterField({ words: { t }, filter, onFilter }: LibraryProps): TemplateResult {
-  const onInput = (event: Event): void => onFilter((event.target as HTMLInputElement).value)
+  const onInput = (event: Event): void => onFilter((event.target as HTMLInputElement).value);
   const onKey = (event: KeyboardEvent): void => {
-    if (event.key !== 'Escape') return
-    onFilter('')
-    ;(event.target as HTMLElement).blur()
-  }
+    if (event.key !== 'Escape') return;
+    onFilter('');
+    (event.target as HTMLElement).blur();
+  };
   return html`<div class="field filter">
     ${icon('search', 14)}
-    <input id="filter" type="text" autocomplete="off" spellcheck="false" aria-label=${t('library.filter')} aria-keyshortcuts="/"
-      placeholder=${t('library.filter')} .value=${filter} @input=${onInput} @keydown=${onKey} />
-    ${filter
-      ? iconButton({ name: 'x', label: t('library.filter.clear'), size: 14, small: true, onPress: () => onFilter('') })
-      : html`<kbd aria-hidden="true">/</kbd>`}
-  </div>`
+    <input
+      id="filter"
+      type="text"
+      autocomplete="off"
+      spellcheck="false"
+      aria-label=${t('library.filter')}
+      aria-keyshortcuts="/"
+      placeholder=${t('library.filter')}
+      .value=${filter}
+      @input=${onInput}
+      @keydown=${onKey}
+    />
+    ${
+      filter
+        ? iconButton({
+            name: 'x',
+            label: t('library.filter.clear'),
+            size: 14,
+            small: true,
+            onPress: () => onFilter(''),
+          })
+        : html`<kbd aria-hidden="true">/</kbd>`
+    }
+  </div>`;
 }
 
 function rowsInSight(props: LibraryProps): TemplateResult {
-  const { rows, openId, qualifiers, words } = props
-  const { first, end } = rowWindow(rows.length, rowHeightPx, props.scrollTop, props.viewHeight)
-  const openShown = rows.some(({ id }) => id === openId)
+  const { rows, openId, qualifiers, words } = props;
+  const { first, end } = rowWindow(rows.length, rowHeightPx, props.scrollTop, props.viewHeight);
+  const openShown = rows.some(({ id }) => id === openId);
   const row = (clip: Clip, offset: number): TemplateResult =>
     libraryRow({
       words,
@@ -103,30 +123,39 @@ function rowsInSight(props: LibraryProps): TemplateResult {
       count: rows.length,
       onOpen: () => props.onOpen(clip.id),
       onRemove: () => props.onRemove(clip.id),
-    })
-  return html`${repeat(rows.slice(first, end), ({ id }) => id, row)}`
+    });
+  return html`${repeat(rows.slice(first, end), ({ id }) => id, row)}`;
 }
 
 function list(props: LibraryProps): TemplateResult {
-  const { words: { t }, rows, filter } = props
+  const {
+    words: { t },
+    rows,
+    filter,
+  } = props;
   const onKey = (event: KeyboardEvent): void => {
-    const step = ({ ArrowDown: 1, ArrowUp: -1 } as const)[event.key as 'ArrowDown' | 'ArrowUp']
-    if (!step) return
-    event.preventDefault()
-    props.onNeighbour(step)
-  }
-  const onScroll = (event: Event): void => props.onScroll((event.target as HTMLElement).scrollTop)
+    const step = ({ ArrowDown: 1, ArrowUp: -1 } as const)[event.key as 'ArrowDown' | 'ArrowUp'];
+    if (!step) return;
+    event.preventDefault();
+    props.onNeighbour(step);
+  };
+  const onScroll = (event: Event): void => props.onScroll((event.target as HTMLElement).scrollTop);
   return html`<div class="library-list" @scroll=${onScroll} @keydown=${onKey}>
     ${rows.length === 0 && filter ? html`<p class="library-nothing">${t('library.nothing', filter)}</p>` : nothing}
-    <ul class="library-rows" ${styled({ height: `${rows.length * rowHeightPx}px` })}>${rowsInSight(props)}</ul>
-  </div>`
+    <ul class="library-rows" ${styled({ height: `${rows.length * rowHeightPx}px` })}>
+      ${rowsInSight(props)}
+    </ul>
+  </div>`;
 }
 
 export function library(props: LibraryProps): TemplateResult {
-  const { t, format } = props.words
+  const { t, format } = props.words;
   return html`
     <div class="library-head">${head(props)}${filterField(props)}</div>
     ${list(props)}
-    <div class="library-foot">${icon('lock', 13)}<span>${t('library.local')}</span><span class="library-size">${format.bytes(props.bytes)}</span></div>
-  `
+    <div class="library-foot">
+      ${icon('lock', 13)}<span>${t('library.local')}</span
+      ><span class="library-size">${format.bytes(props.bytes)}</span>
+    </div>
+  `;
 }

@@ -1,92 +1,123 @@
 /** One clip of the library: its most unusual keypose, its name, what is known of it. */
-import { html, nothing, type TemplateResult } from 'lit-html'
-import { isAnalysed, isBusy, keyposeCount, lengthOf, type Clip } from '../app/clips'
-import type { Words } from '../app/i18n/catalogue'
-import { notesOf, warningsAmong } from '../app/notes'
-import { iconButton } from '../common/buttons'
-import { clipName } from '../common/clip-name'
-import { drawn, styled } from '../common/directives'
-import { icon } from '../common/icons'
-import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure'
+import { html, nothing, type TemplateResult } from 'lit-html';
+import { isAnalysed, isBusy, keyposeCount, lengthOf, type Clip } from '../app/clips';
+import type { Words } from '../app/i18n/catalogue';
+import { notesOf, warningsAmong } from '../app/notes';
+import { iconButton } from '../common/buttons';
+import { clipName } from '../common/clip-name';
+import { drawn, styled } from '../common/directives';
+import { icon } from '../common/icons';
+import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 
-export const rowHeightPx = 44
+export const rowHeightPx = 44;
 
 export interface RowProps {
-  readonly words: Words
-  readonly clip: Clip
-  readonly qualifier: string
-  readonly open: boolean
+  readonly words: Words;
+  readonly clip: Clip;
+  readonly qualifier: string;
+  readonly open: boolean;
   /** Whether the Tab key stops at this row. */
-  readonly tabStop: boolean
+  readonly tabStop: boolean;
   /** From 0, of `count` rows. */
-  readonly index: number
-  readonly count: number
-  onOpen(): void
-  onRemove(): void
+  readonly index: number;
+  readonly count: number;
+  readonly onOpen: () => void;
+  readonly onRemove: () => void;
 }
 
-const thumbnailPx = 36
-const paddingPx = 2.5
+const thumbnailPx = 36;
+const paddingPx = 2.5;
 
 function thumbnail({ clip }: RowProps): TemplateResult {
-  if (clip.status === 'failed') return html`<span class="thumbnail failed">${icon('octagon-x')}</span>`
+  if (clip.status === 'failed')
+    return html`<span class="thumbnail failed">${icon('octagon-x')}</span>`;
   const draw = (svg: Element): void => {
-    const { thumbnail: figure } = clip
-    if (figure) drawFlatFigure(svg, figure, fitFigure(figure, thumbnailPx, thumbnailPx, paddingPx))
-  }
-  return html`<svg class="thumbnail" viewBox="0 0 36 36" aria-hidden="true" ${drawn(clip.thumbnail, draw)}></svg>`
+    const { thumbnail: figure } = clip;
+    if (figure) drawFlatFigure(svg, figure, fitFigure(figure, thumbnailPx, thumbnailPx, paddingPx));
+  };
+  return html`<svg
+    class="thumbnail"
+    viewBox="0 0 36 36"
+    aria-hidden="true"
+    ${drawn(clip.thumbnail, draw)}
+  ></svg>`;
 }
 
 /** "line 214: Found 92 values …": a reason with its place. */
 export function reasonOf({ t, failure }: Words, clip: Clip): string {
-  if (!clip.failure) return ''
-  const reason = failure(clip.failure)
-  return clip.failure.line === null ? reason : t('toast.error', t('notes.line', clip.failure.line), reason)
+  if (!clip.failure) return '';
+  const reason = failure(clip.failure);
+  return clip.failure.line === null
+    ? reason
+    : t('toast.error', t('notes.line', clip.failure.line), reason);
 }
 
 /** "6.0 s · 120 Hz". */
 export function lengthText({ t, format }: Words, seconds: number): string {
-  const { text, inSeconds } = format.duration(seconds)
-  return inSeconds ? t('unit.seconds', text) : text
+  const { text, inSeconds } = format.duration(seconds);
+  return inSeconds ? t('unit.seconds', text) : text;
 }
 
 function facts({ words, clip }: RowProps): TemplateResult {
-  const { t, format } = words
-  if (clip.status === 'failed') return html`<span class="clip-facts" title=${reasonOf(words, clip)}>${reasonOf(words, clip)}</span>`
+  const { t, format } = words;
+  if (clip.status === 'failed')
+    return html`<span class="clip-facts" title=${reasonOf(words, clip)}
+      >${reasonOf(words, clip)}</span
+    >`;
   if (isBusy(clip) || !clip.result) {
-    const stage = t(`library.${clip.status === 'waiting' || clip.status === 'reading' ? clip.status : 'analysing'}`)
-    return html`<progress class="bar" max="1" .value=${clip.progress} aria-label=${stage}></progress>`
+    const stage = t(
+      `library.${clip.status === 'waiting' || clip.status === 'reading' ? clip.status : 'analysing'}`,
+    );
+    return html`<progress
+      class="bar"
+      max="1"
+      .value=${clip.progress}
+      aria-label=${stage}
+    ></progress>`;
   }
-  if (clip.result.frames < 2) return html`<span class="clip-facts">${t('library.skeleton')}</span>`
-  const length = lengthText(words, lengthOf(clip.result))
-  const rate = t('unit.hertz', format.short(1 / clip.result.frameTimeS, 2))
-  return html`<span class="clip-facts">${length} · ${rate}</span>`
+  if (clip.result.frames < 2) return html`<span class="clip-facts">${t('library.skeleton')}</span>`;
+  const length = lengthText(words, lengthOf(clip.result));
+  const rate = t('unit.hertz', format.short(1 / clip.result.frameTimeS, 2));
+  return html`<span class="clip-facts">${length} · ${rate}</span>`;
 }
 
 function counts({ words: { t, format }, clip }: RowProps): TemplateResult {
-  const notes = clip.result ? notesOf(clip.result) : []
-  const warnings = warningsAmong(notes)
-  const keyposes = keyposeCount(clip)
+  const notes = clip.result ? notesOf(clip.result) : [];
+  const warnings = warningsAmong(notes);
+  const keyposes = keyposeCount(clip);
   return html`<span class="clip-counts">
-    ${isAnalysed(clip)
-      ? html`<span class="count" title=${t('library.keyposes', keyposes)}
-          ><i class="keypose-dot"></i>${format.integer(keyposes)}<span class="spoken"> ${t('library.keyposes', keyposes)}</span></span>`
-      : nothing}
-    ${notes.length > 0
-      ? html`<span class="badge ${warnings > 0 ? 'warning' : ''}" title=${t('library.notes', warnings || notes.length)}
-          >${icon(warnings > 0 ? 'triangle-alert' : 'info', 12)}${format.integer(warnings || notes.length)}<span class="spoken">
-            ${t('library.notes', notes.length)}</span></span>`
-      : nothing}
-  </span>`
+    ${
+      isAnalysed(clip)
+        ? html`<span class="count" title=${t('library.keyposes', keyposes)}
+            ><i class="keypose-dot"></i>${format.integer(keyposes)}<span class="spoken">
+              ${t('library.keyposes', keyposes)}</span
+            ></span
+          >`
+        : nothing
+    }
+    ${
+      notes.length > 0
+        ? html`<span
+            class="badge ${warnings > 0 ? 'warning' : ''}"
+            title=${t('library.notes', warnings || notes.length)}
+            >${icon(warnings > 0 ? 'triangle-alert' : 'info', 12)}${format.integer(warnings || notes.length)}<span
+              class="spoken"
+            >
+              ${t('library.notes', notes.length)}</span
+            ></span
+          >`
+        : nothing
+    }
+  </span>`;
 }
 
 export function libraryRow(props: RowProps): TemplateResult {
-  const { words, clip, open, index, count } = props
+  const { words, clip, open, index, count } = props;
   const onKey = (event: KeyboardEvent): void => {
-    if (event.key !== 'Delete') return
-    event.preventDefault()
-    props.onRemove()
-  }
+    if (event.key !== 'Delete') return;
+    event.preventDefault();
+    props.onRemove();
+  };
   return html`<li
     class="clip ${open ? 'open' : ''} ${clip.status} ${clip.outdated ? 'outdated' : ''}"
     aria-setsize=${count}
@@ -94,20 +125,28 @@ export function libraryRow(props: RowProps): TemplateResult {
     @keydown=${onKey}
     ${styled({ transform: `translateY(${index * rowHeightPx}px)` })}
   >
-    <button type="button" class="clip-open" data-clip=${clip.id} aria-current=${open ? 'true' : nothing}
-      tabindex=${props.tabStop ? 0 : -1} @click=${props.onOpen}>
+    <button
+      type="button"
+      class="clip-open"
+      data-clip=${clip.id}
+      aria-current=${open ? 'true' : nothing}
+      tabindex=${props.tabStop ? 0 : -1}
+      @click=${props.onOpen}
+    >
       ${thumbnail(props)}
       <span class="clip-text">${clipName(clip.source.name, props.qualifier)}${facts(props)}</span>
       ${counts(props)}
     </button>
-    <span class="clip-remove">${iconButton({
-      name: 'x',
-      label: words.t('library.remove', clip.source.name),
-      size: 14,
-      small: true,
-      keys: 'Delete',
-      keyText: words.t('key.delete'),
-      onPress: props.onRemove,
-    })}</span>
-  </li>`
+    <span class="clip-remove"
+      >${iconButton({
+        name: 'x',
+        label: words.t('library.remove', clip.source.name),
+        size: 14,
+        small: true,
+        keys: 'Delete',
+        keyText: words.t('key.delete'),
+        onPress: props.onRemove,
+      })}</span
+    >
+  </li>`;
 }

@@ -18,18 +18,18 @@ export type KeyCommand =
   | 'help'
   | 'filter'
   | 'undo'
-  | 'redo'
+  | 'redo';
 
 export interface KeyPress {
-  readonly key: string
-  readonly shiftKey: boolean
-  readonly ctrlKey: boolean
-  readonly metaKey: boolean
-  readonly altKey: boolean
+  readonly key: string;
+  readonly shiftKey: boolean;
+  readonly ctrlKey: boolean;
+  readonly metaKey: boolean;
+  readonly altKey: boolean;
 }
 
 /** What the keyboard is in: a field takes every key, a button that was reached by key takes Space. */
-export type KeyFocus = 'page' | 'button' | 'field'
+export type KeyFocus = 'page' | 'button' | 'field';
 
 const plainKeys: Readonly<Record<string, KeyCommand>> = {
   ' ': 'play',
@@ -44,7 +44,7 @@ const plainKeys: Readonly<Record<string, KeyCommand>> = {
   l: 'loop',
   '?': 'help',
   '/': 'filter',
-}
+};
 
 /** `?`, `+`, `/` and `-` need Shift on some keyboards and not on others. */
 const shiftKeys: Readonly<Record<string, KeyCommand>> = {
@@ -55,41 +55,44 @@ const shiftKeys: Readonly<Record<string, KeyCommand>> = {
   '?': 'help',
   '/': 'filter',
   '-': 'slower',
-}
+};
 
 function historyCommand(key: string, shift: boolean): KeyCommand | null {
-  if (key === 'z') return shift ? 'redo' : 'undo'
-  return key === 'y' && !shift ? 'redo' : null
+  if (key === 'z') return shift ? 'redo' : 'undo';
+  return key === 'y' && !shift ? 'redo' : null;
 }
 
 export function commandFor(press: KeyPress, focus: KeyFocus): KeyCommand | null {
-  if (press.altKey || focus === 'field') return null
-  const key = press.key.length === 1 ? press.key.toLowerCase() : press.key
-  if (press.ctrlKey || press.metaKey) return historyCommand(key, press.shiftKey)
-  if (key === ' ' && focus === 'button') return null
-  return (press.shiftKey ? shiftKeys : plainKeys)[key] ?? null
+  if (press.altKey || focus === 'field') return null;
+  const key = press.key.length === 1 ? press.key.toLowerCase() : press.key;
+  if (press.ctrlKey || press.metaKey) return historyCommand(key, press.shiftKey);
+  if (key === ' ' && focus === 'button') return null;
+  return (press.shiftKey ? shiftKeys : plainKeys)[key] ?? null;
 }
 
-const writtenInputs = new Set(['checkbox', 'radio', 'button', 'file', 'submit'])
+const writtenInputs = new Set(['checkbox', 'radio', 'button', 'file', 'submit']);
 
 export function focusOf(target: EventTarget | null): KeyFocus {
-  if (!(target instanceof HTMLElement)) return 'page'
-  if (target.isContentEditable || target.matches('textarea, select')) return 'field'
-  if (target instanceof HTMLInputElement) return writtenInputs.has(target.type) ? 'button' : 'field'
-  const button = target.closest('button, a[href], summary, [role="menuitem"], [role="menuitemradio"]')
-  return button?.matches(':focus-visible') ? 'button' : 'page'
+  if (!(target instanceof HTMLElement)) return 'page';
+  if (target.isContentEditable || target.matches('textarea, select')) return 'field';
+  if (target instanceof HTMLInputElement)
+    return writtenInputs.has(target.type) ? 'button' : 'field';
+  const button = target.closest(
+    'button, a[href], summary, [role="menuitem"], [role="menuitemradio"]',
+  );
+  return button?.matches(':focus-visible') ? 'button' : 'page';
 }
 
 /** Listens on a document; whoever handles a key first keeps it by `preventDefault`. */
 export function listenToKeys(target: Document, run: (command: KeyCommand) => void): () => void {
   const listener = (event: KeyboardEvent): void => {
-    const modal = target.querySelector('dialog[open]') !== null
-    if (event.defaultPrevented || event.isComposing || modal) return
-    const command = commandFor(event, focusOf(event.target))
-    if (!command) return
-    event.preventDefault()
-    run(command)
-  }
-  target.addEventListener('keydown', listener)
-  return () => target.removeEventListener('keydown', listener)
+    const modal = target.querySelector('dialog[open]') !== null;
+    if (event.defaultPrevented || event.isComposing || modal) return;
+    const command = commandFor(event, focusOf(event.target));
+    if (!command) return;
+    event.preventDefault();
+    run(command);
+  };
+  target.addEventListener('keydown', listener);
+  return () => target.removeEventListener('keydown', listener);
 }

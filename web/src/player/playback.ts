@@ -2,98 +2,102 @@
  * The open clip's clock and the page's commands in; the playback state of the store out. Speed and loop
  * stay as they are from clip to clip.
  */
-import type { Store } from '../app/store'
-import { Clock } from './clock'
-import { nextAfter, previousBefore } from './neighbours'
-import { Ticker } from './ticker'
+import type { Store } from '../app/store';
+import { Clock } from './clock';
+import { nextAfter, previousBefore } from './neighbours';
+import { Ticker } from './ticker';
 
 export interface Playback {
   /** The clock of the open clip. */
-  readonly clock: Clock
+  readonly clock: Clock;
   /** Starts the clock of another clip, or of the same one at another rate, at a frame. */
-  load(clip: { readonly frames: number; readonly frameTimeS: number }, frame: number): void
-  toggle(): void
-  pause(): void
-  seek(frame: number): void
-  step(frames: number): void
+  readonly load: (clip: { readonly frames: number; readonly frameTimeS: number }, frame: number) => void;
+  readonly toggle: () => void;
+  readonly pause: () => void;
+  readonly seek: (frame: number) => void;
+  readonly step: (frames: number) => void;
   /** Moves by seconds, by a frame at least. */
-  skip(seconds: number): void
-  keypose(direction: 1 | -1): void
-  toEnd(direction: 1 | -1): void
-  speed(direction: 1 | -1): void
-  loop(): void
+  readonly skip: (seconds: number) => void;
+  readonly keypose: (direction: 1 | -1) => void;
+  readonly toEnd: (direction: 1 | -1) => void;
+  readonly speed: (direction: 1 | -1) => void;
+  readonly loop: () => void;
 }
 
 export function createPlayback(store: Store): Playback {
-  return new ClockPlayback(store)
+  return new ClockPlayback(store);
 }
 
 class ClockPlayback implements Playback {
-  clock = new Clock({ frames: 1, frameTimeS: 1 })
-  private readonly store: Store
-  private readonly ticker = new Ticker((seconds) => this.clock.advance(seconds))
+  clock = new Clock({ frames: 1, frameTimeS: 1 });
+  private readonly store: Store;
+  private readonly ticker = new Ticker((seconds) => this.clock.advance(seconds));
 
   constructor(store: Store) {
-    this.store = store
+    this.store = store;
   }
 
   load(clip: { readonly frames: number; readonly frameTimeS: number }, frame: number): void {
-    const { speed, looping } = this.clock
-    this.ticker.stop()
-    this.clock = new Clock(clip)
-    this.clock.setSpeed(speed)
-    this.clock.setLooping(looping)
-    this.clock.seekFrame(frame)
-    this.clock.onChange(() => this.tell())
-    this.tell()
+    const { speed, looping } = this.clock;
+    this.ticker.stop();
+    this.clock = new Clock(clip);
+    this.clock.setSpeed(speed);
+    this.clock.setLooping(looping);
+    this.clock.seekFrame(frame);
+    this.clock.onChange(() => this.tell());
+    this.tell();
   }
 
   toggle(): void {
-    this.clock.toggle()
+    this.clock.toggle();
   }
 
   pause(): void {
-    this.clock.pause()
+    this.clock.pause();
   }
 
   seek(frame: number): void {
-    this.clock.seekFrame(frame)
+    this.clock.seekFrame(frame);
   }
 
   step(frames: number): void {
-    this.clock.pause()
-    this.clock.step(frames)
+    this.clock.pause();
+    this.clock.step(frames);
   }
 
   skip(seconds: number): void {
-    const frames = Math.round(Math.abs(seconds) / this.clock.frameTimeS)
-    this.clock.step(Math.sign(seconds) * Math.max(1, frames))
+    const frames = Math.round(Math.abs(seconds) / this.clock.frameTimeS);
+    this.clock.step(Math.sign(seconds) * Math.max(1, frames));
   }
 
   keypose(direction: 1 | -1): void {
-    const neighbour = direction > 0 ? nextAfter : previousBefore
-    const frame = neighbour(this.store.keyposeFrames.peek(), this.clock.frame)
-    if (frame !== null) this.clock.seekFrame(frame)
+    const neighbour = direction > 0 ? nextAfter : previousBefore;
+    const frame = neighbour(this.store.keyposeFrames.peek(), this.clock.frame);
+    if (frame !== null) this.clock.seekFrame(frame);
   }
 
   toEnd(direction: 1 | -1): void {
-    this.clock.seekFrame(direction > 0 ? this.clock.lastFrame : 0)
+    this.clock.seekFrame(direction > 0 ? this.clock.lastFrame : 0);
   }
 
   speed(direction: 1 | -1): void {
-    this.clock.stepSpeed(direction)
+    this.clock.stepSpeed(direction);
   }
 
   loop(): void {
-    this.clock.setLooping(!this.clock.looping)
+    this.clock.setLooping(!this.clock.looping);
   }
 
   private tell(): void {
-    const { frame, playing, speed, looping } = this.clock
-    if (playing) this.ticker.start()
-    else this.ticker.stop()
-    const before = this.store.playback.peek()
-    const same = before.frame === frame && before.playing === playing && before.speed === speed && before.looping === looping
-    if (!same) this.store.playback.value = { frame, playing, speed, looping }
+    const { frame, playing, speed, looping } = this.clock;
+    if (playing) this.ticker.start();
+    else this.ticker.stop();
+    const before = this.store.playback.peek();
+    const same =
+      before.frame === frame &&
+      before.playing === playing &&
+      before.speed === speed &&
+      before.looping === looping;
+    if (!same) this.store.playback.value = { frame, playing, speed, looping };
   }
 }

@@ -1,10 +1,10 @@
 /** A command of the keyboard in; what it does on the page out. */
-import type { Context } from '../app/context'
-import type { KeyCommand } from '../player/keys'
+import type { Context } from '../app/context';
+import type { KeyCommand } from '../player/keys';
 
-type Run = (context: Context) => void
+type Run = (context: Context) => void;
 
-const tenthS = 0.1
+const tenthS = 0.1;
 
 const commands: Readonly<Record<KeyCommand, Run>> = {
   play: ({ playback }) => playback.toggle(),
@@ -20,18 +20,20 @@ const commands: Readonly<Record<KeyCommand, Run>> = {
   faster: ({ playback }) => playback.speed(1),
   loop: ({ playback }) => playback.loop(),
   help: ({ store }) => {
-    store.helpOpen.value = true
+    store.helpOpen.value = true;
   },
   filter: ({ panels, store }) => {
-    if (store.present.peek().length === 0) return
-    if (!panels.library.open.peek()) panels.library.toggle()
+    if (store.present.peek().length === 0) return;
+    if (!panels.library.open.peek()) panels.library.toggle();
     // The panel shows with the next frame.
-    requestAnimationFrame(() => requestAnimationFrame(() => document.querySelector<HTMLElement>('#filter')?.focus()))
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => document.querySelector<HTMLElement>('#filter')?.focus()),
+    );
   },
   undo: ({ actions }) => actions.undo(),
   redo: ({ actions }) => actions.redo(),
-}
+};
 
 export function runCommand(context: Context, command: KeyCommand): void {
-  commands[command](context)
+  commands[command](context);
 }

@@ -1,11 +1,11 @@
 /** The list of keys. */
-import { html, type TemplateResult } from 'lit-html'
-import type { MessageKey, Words } from '../app/i18n/catalogue'
-import { iconButton } from '../common/buttons'
+import { html, type TemplateResult } from 'lit-html';
+import type { MessageKey, Words } from '../app/i18n/catalogue';
+import { iconButton } from '../common/buttons';
 
-type KeyName = MessageKey | '←' | '→' | '↑' | '↓' | 'K' | 'L' | '-' | '+' | '/' | 'Z' | '?'
+type KeyName = MessageKey | '←' | '→' | '↑' | '↓' | 'K' | 'L' | '-' | '+' | '/' | 'Z' | '?';
 /** Keys pressed together; alternatives stand side by side. */
-type KeyLine = readonly [MessageKey, ...(readonly KeyName[])[]]
+type KeyLine = readonly [MessageKey, ...(readonly KeyName[])[]];
 
 const playbackKeys: readonly KeyLine[] = [
   ['help.play', ['help.space']],
@@ -15,7 +15,7 @@ const playbackKeys: readonly KeyLine[] = [
   ['help.ends', ['key.home'], ['key.end']],
   ['help.speed', ['-'], ['+']],
   ['help.loop', ['L']],
-]
+];
 
 const pageKeys: readonly KeyLine[] = [
   ['help.clips', ['↑'], ['↓']],
@@ -24,27 +24,34 @@ const pageKeys: readonly KeyLine[] = [
   ['help.undo', ['key.ctrl', 'Z']],
   ['help.redo', ['key.ctrl', 'key.shift', 'Z']],
   ['help.this', ['?']],
-]
+];
 
 function keyLine({ t }: Words, [label, ...alternatives]: KeyLine): TemplateResult {
-  const name = (key: KeyName): string => (key.includes('.') ? t(key as MessageKey) : key)
+  const name = (key: KeyName): string => (key.includes('.') ? t(key as MessageKey) : key);
   return html`<div class="help-line">
-    <dt>${alternatives.map((keys) => html`<span class="keys">${keys.map((key) => html`<kbd>${name(key)}</kbd>`)}</span>`)}</dt>
+    <dt>
+      ${alternatives.map((keys) => html`<span class="keys">${keys.map((key) => html`<kbd>${name(key)}</kbd>`)}</span>`)}
+    </dt>
     <dd>${t(label)}</dd>
-  </div>`
+  </div>`;
 }
 
 function keyTable(words: Words, title: MessageKey, lines: readonly KeyLine[]): TemplateResult {
-  return html`<section><h3>${words.t(title)}</h3><dl>${lines.map((line) => keyLine(words, line))}</dl></section>`
+  return html`<section>
+    <h3>${words.t(title)}</h3>
+    <dl>${lines.map((line) => keyLine(words, line))}</dl>
+  </section>`;
 }
 
 export function helpDialog(words: Words, onClose: () => void): TemplateResult {
-  const { t } = words
+  const { t } = words;
   return html`
     <div class="dialog-head">
       <h2 id="help-title">${t('help.title')}</h2>
       ${iconButton({ name: 'x', label: t('help.close'), onPress: onClose })}
     </div>
-    <div class="help-tables">${keyTable(words, 'help.playback', playbackKeys)}${keyTable(words, 'help.page', pageKeys)}</div>
-  `
+    <div class="help-tables">
+      ${keyTable(words, 'help.playback', playbackKeys)}${keyTable(words, 'help.page', pageKeys)}
+    </div>
+  `;
 }

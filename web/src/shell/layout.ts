@@ -1,5 +1,5 @@
 /** An empty root in; the places of the page out, which stay for good and are filled by the views. */
-import { html, render } from 'lit-html'
+import { html, render } from 'lit-html';
 
 const names = [
   'top-bar',
@@ -19,10 +19,10 @@ const names = [
   'drop-veil',
   'help',
   'spoken-caption',
-] as const
+] as const;
 
-export type PlaceName = (typeof names)[number]
-export type Places = Readonly<Record<PlaceName, HTMLElement>>
+export type PlaceName = (typeof names)[number];
+export type Places = Readonly<Record<PlaceName, HTMLElement>>;
 
 const skeleton = html`
   <header id="top-bar" class="top-bar"></header>
@@ -47,14 +47,17 @@ const skeleton = html`
   <div id="drop-veil" class="drop-veil" hidden></div>
   <dialog id="help" class="dialog" aria-labelledby="help-title"></dialog>
   <div id="spoken-caption" class="spoken" aria-live="polite"></div>
-`
+`;
 
 export function layOut(root: HTMLElement): Places {
-  render(skeleton, root)
+  render(skeleton, root);
   const place = (name: PlaceName): HTMLElement => {
-    const element = root.querySelector<HTMLElement>(`#${name}`)
-    if (!element) throw new Error(`no place ${name}`)
-    return element
-  }
-  return Object.fromEntries(names.map((name) => [name, place(name)])) as Record<PlaceName, HTMLElement>
+    const element = root.querySelector<HTMLElement>(`#${name}`);
+    if (!element) throw new Error(`no place ${name}`);
+    return element;
+  };
+  return Object.fromEntries(names.map((name) => [name, place(name)])) as Record<
+    PlaceName,
+    HTMLElement
+  >;
 }

@@ -1,50 +1,60 @@
 /** The whole page: every place filled, and the few things that concern all of them. */
-import { follow, mount } from '../common/mount'
-import { installSplitter } from '../common/splitter'
-import type { Context } from '../app/context'
-import { themeChoices } from '../app/theme'
-import { mountEmpty } from '../empty/mount-empty'
-import { mountInspector } from '../inspector/mount-inspector'
-import { mountLibrary } from '../library/mount-library'
-import { mountStage, type StageSettings } from '../study/mount-stage'
-import { mountStrip, mountTimeline } from '../study/mount-timeline'
-import { mountTransport } from '../transport/mount-transport'
-import { helpDialog } from './help-dialog'
-import type { Places } from './layout'
-import { notices } from './toasts'
-import { topBar, type OpenClipPlace, type TopBarProps } from './top-bar'
+import { follow, mount } from '../common/mount';
+import { installSplitter } from '../common/splitter';
+import type { Context } from '../app/context';
+import { themeChoices } from '../app/theme';
+import { mountEmpty } from '../empty/mount-empty';
+import { mountInspector } from '../inspector/mount-inspector';
+import { mountLibrary } from '../library/mount-library';
+import { mountStage, type StageSettings } from '../study/mount-stage';
+import { mountStrip, mountTimeline } from '../study/mount-timeline';
+import { mountTransport } from '../transport/mount-transport';
+import { helpDialog } from './help-dialog';
+import type { Places } from './layout';
+import { notices } from './toasts';
+import { topBar, type OpenClipPlace, type TopBarProps } from './top-bar';
 
 export function mountPage(places: Places, context: Context, settings: StageSettings): void {
-  mountTopBar(places, context)
-  mountEmpty(places.empty, context)
-  mountLibrary(places.library, context)
-  mountInspector(places.inspector, context)
-  const { stage, 'stage-figure': figure, 'stage-overlay': overlay, 'spoken-caption': spoken } = places
-  mountStage({ stage, figure, overlay, spoken }, context, settings)
-  mountTransport(places.transport, context)
-  mountStrip(places.strip, context)
-  mountTimeline(places.timeline, context)
-  mountNotices(places, context)
-  mountHelp(places, context)
-  mountSplitters(places, context)
-  showWhatIsDue(places, context)
-  speakTheLanguage(context)
+  mountTopBar(places, context);
+  mountEmpty(places.empty, context);
+  mountLibrary(places.library, context);
+  mountInspector(places.inspector, context);
+  const {
+    stage,
+    'stage-figure': figure,
+    'stage-overlay': overlay,
+    'spoken-caption': spoken,
+  } = places;
+  mountStage({ stage, figure, overlay, spoken }, context, settings);
+  mountTransport(places.transport, context);
+  mountStrip(places.strip, context);
+  mountTimeline(places.timeline, context);
+  mountNotices(places, context);
+  mountHelp(places, context);
+  mountSplitters(places, context);
+  showWhatIsDue(places, context);
+  speakTheLanguage(context);
 }
 
 function clipPlace({ store }: Context): OpenClipPlace | null {
-  const clip = store.openClip.value
-  if (!clip) return null
-  const shown = store.shown.value
-  const place = shown.findIndex(({ id }) => id === clip.id) + 1
-  return { name: clip.source.name, qualifier: store.qualifiers.value.get(clip.id) ?? '', place, count: shown.length }
+  const clip = store.openClip.value;
+  if (!clip) return null;
+  const shown = store.shown.value;
+  const place = shown.findIndex(({ id }) => id === clip.id) + 1;
+  return {
+    name: clip.source.name,
+    qualifier: store.qualifiers.value.get(clip.id) ?? '',
+    place,
+    count: shown.length,
+  };
 }
 
 function topBarProps(context: Context): TopBarProps {
-  const { store, history, theme, language, actions, panels } = context
-  const words = language.words.value
-  const { undo, redo } = history.next.value
-  const study = store.present.value.length > 0 || undo || redo
-  const choice = theme.choice.value
+  const { store, history, theme, language, actions, panels } = context;
+  const words = language.words.value;
+  const { undo, redo } = history.next.value;
+  const study = store.present.value.length > 0 || undo || redo;
+  const choice = theme.choice.value;
   return {
     words,
     themeChoice: choice,
@@ -62,17 +72,20 @@ function topBarProps(context: Context): TopBarProps {
     onUndo: () => actions.undo(),
     onRedo: () => actions.redo(),
     onLanguage: () => language.choose(words.language === 'en' ? 'ja' : 'en'),
-    onTheme: () => theme.choose(themeChoices[(themeChoices.indexOf(choice) + 1) % themeChoices.length] ?? 'system'),
+    onTheme: () =>
+      theme.choose(
+        themeChoices[(themeChoices.indexOf(choice) + 1) % themeChoices.length] ?? 'system',
+      ),
     onHelp: () => {
-      store.helpOpen.value = true
+      store.helpOpen.value = true;
     },
     onLibrary: () => panels.library.toggle(),
     onInspector: () => panels.inspector.toggle(),
-  }
+  };
 }
 
 function mountTopBar(places: Places, context: Context): void {
-  mount(places['top-bar'], () => topBar(topBarProps(context)))
+  mount(places['top-bar'], () => topBar(topBarProps(context)));
 }
 
 function mountNotices(places: Places, { store, actions, language }: Context): void {
@@ -83,83 +96,99 @@ function mountNotices(places: Places, { store, actions, language }: Context): vo
       toast: store.toast.value,
       onCancel: () => actions.cancelLoading(),
       onClose: () => {
-        store.toast.value = null
+        store.toast.value = null;
       },
     }),
-  )
-  let timer: ReturnType<typeof setTimeout> | undefined
+  );
+  let timer: ReturnType<typeof setTimeout> | undefined;
   follow(() => {
-    const toast = store.toast.value
-    clearTimeout(timer)
+    const toast = store.toast.value;
+    clearTimeout(timer);
     // Errors stay until they are closed.
-    if (!toast || toast.kind === 'error') return
+    if (!toast || toast.kind === 'error') return;
     timer = setTimeout(() => {
-      if (store.toast.peek() === toast) store.toast.value = null
-    }, toastMs)
-  })
+      if (store.toast.peek() === toast) store.toast.value = null;
+    }, toastMs);
+  });
 }
 
-const toastMs = 8000
+const toastMs = 8000;
 
 function mountHelp(places: Places, { store, language }: Context): void {
-  const dialog = places.help as HTMLDialogElement
-  const close = (): void => dialog.close()
-  mount(dialog, () => helpDialog(language.words.value, close))
+  const dialog = places.help as HTMLDialogElement;
+  const close = (): void => dialog.close();
+  mount(dialog, () => helpDialog(language.words.value, close));
   dialog.addEventListener('close', () => {
-    store.helpOpen.value = false
-  })
+    store.helpOpen.value = false;
+  });
   dialog.addEventListener('click', (event) => {
-    if (event.target === dialog) close()
-  })
+    if (event.target === dialog) close();
+  });
   follow(() => {
-    if (store.helpOpen.value && !dialog.open) dialog.showModal()
-    else if (!store.helpOpen.value && dialog.open) dialog.close()
-  })
+    if (store.helpOpen.value && !dialog.open) dialog.showModal();
+    else if (!store.helpOpen.value && dialog.open) dialog.close();
+  });
 }
 
 function mountSplitters(places: Places, { language, preferences }: Context): void {
-  const { library, inspector } = places
+  const { library, inspector } = places;
   const splitters = [
-    { panel: library, edge: 'right', property: '--library-width', usual: 256, least: 200, most: 400, key: 'library.resize' },
-    { panel: inspector, edge: 'left', property: '--inspector-width', usual: 300, least: 280, most: 420, key: 'inspector.resize' },
-  ] as const
+    {
+      panel: library,
+      edge: 'right',
+      property: '--library-width',
+      usual: 256,
+      least: 200,
+      most: 400,
+      key: 'library.resize',
+    },
+    {
+      panel: inspector,
+      edge: 'left',
+      property: '--inspector-width',
+      usual: 300,
+      least: 280,
+      most: 420,
+      key: 'inspector.resize',
+    },
+  ] as const;
   for (const { key, ...splitter } of splitters) {
-    const { element } = installSplitter(splitter, preferences)
-    splitter.panel.append(element)
-    follow(() => element.setAttribute('aria-label', language.words.value.t(key)))
+    const { element } = installSplitter(splitter, preferences);
+    splitter.panel.append(element);
+    follow(() => element.setAttribute('aria-label', language.words.value.t(key)));
   }
 }
 
 /** Empty page or study, panels, drawers, veil. */
 function showWhatIsDue(places: Places, { store, panels, language }: Context): void {
   follow(() => {
-    const hasClips = store.present.value.length > 0
-    places.empty.hidden = hasClips
-    places.workspace.hidden = !hasClips
-    document.documentElement.dataset['page'] = hasClips ? 'study' : 'empty'
-  })
+    const hasClips = store.present.value.length > 0;
+    places.empty.hidden = hasClips;
+    places.workspace.hidden = !hasClips;
+    document.documentElement.dataset['page'] = hasClips ? 'study' : 'empty';
+  });
   follow(() => {
     for (const name of ['library', 'inspector'] as const) {
-      places[name].hidden = !panels[name].open.value
-      places[name].classList.toggle('drawer', !panels[name].docked.value)
+      places[name].hidden = !panels[name].open.value;
+      places[name].classList.toggle('drawer', !panels[name].docked.value);
     }
-    places.scrim.hidden = !panels.drawerOpen.value
-  })
-  places.scrim.addEventListener('click', () => panels.closeDrawer())
+    places.scrim.hidden = !panels.drawerOpen.value;
+  });
+  places.scrim.addEventListener('click', () => panels.closeDrawer());
   document.addEventListener('keydown', (event) => {
-    if (event.key === 'Escape') panels.closeDrawer()
-  })
+    if (event.key === 'Escape') panels.closeDrawer();
+  });
   follow(() => {
-    places['drop-veil'].hidden = !store.dropping.value
-    places['drop-veil'].textContent = language.words.value.t('drop.veil')
-  })
+    places['drop-veil'].hidden = !store.dropping.value;
+    places['drop-veil'].textContent = language.words.value.t('drop.veil');
+  });
 }
 
 function speakTheLanguage({ store, language, theme }: Context): void {
   follow(() => {
-    document.documentElement.lang = language.words.value.language
-    document.documentElement.dataset['theme'] = theme.theme.value
-    const name = store.openClip.value?.source.name
-    document.title = name ? `${name} · Keypose` : 'Keypose'
-  })
+    document.documentElement.lang = language.words.value.language;
+    document.documentElement.dataset['theme'] = theme.theme.value;
+    const name = store.openClip.value?.source.name;
+    document.title = name ? `${name} · Keypose` : 'Keypose';
+  });
 }

@@ -1,54 +1,71 @@
 /** Bottom left: how far the reading is, and the one thing that was just done or went wrong. */
-import { html, nothing, type TemplateResult } from 'lit-html'
-import type { Words } from '../app/i18n/catalogue'
-import type { LoadingState, Toast } from '../app/store'
-import { iconButton } from '../common/buttons'
-import { icon, type IconName } from '../common/icons'
+import { html, nothing, type TemplateResult } from 'lit-html';
+import type { Words } from '../app/i18n/catalogue';
+import type { LoadingState, Toast } from '../app/store';
+import { iconButton } from '../common/buttons';
+import { icon, type IconName } from '../common/icons';
 
 export interface NoticeProps {
-  readonly words: Words
-  readonly loading: LoadingState | null
-  readonly toast: Toast | null
-  onCancel(): void
-  onClose(): void
+  readonly words: Words;
+  readonly loading: LoadingState | null;
+  readonly toast: Toast | null;
+  readonly onCancel: () => void;
+  readonly onClose: () => void;
 }
 
-const toastIcons: Readonly<Record<Toast['kind'], IconName>> = { done: 'circle-check', error: 'octagon-x', info: 'info' }
+const toastIcons: Readonly<Record<Toast['kind'], IconName>> = {
+  done: 'circle-check',
+  error: 'octagon-x',
+  info: 'info',
+};
 
 function timeLeft({ t, format }: Words, seconds: number | null): string {
-  if (seconds === null) return ''
-  if (seconds < 90) return t('progress.left.seconds', format.integer(Math.max(1, Math.ceil(seconds))))
-  return t('progress.left.minutes', format.integer(Math.ceil(seconds / 60)))
+  if (seconds === null) return '';
+  if (seconds < 90)
+    return t('progress.left.seconds', format.integer(Math.max(1, Math.ceil(seconds))));
+  return t('progress.left.minutes', format.integer(Math.ceil(seconds / 60)));
 }
 
 function progressCard({ words, onCancel }: NoticeProps, loading: LoadingState): TemplateResult {
-  const { t } = words
-  const problems = loading.failed > 0 ? `, ${t('progress.problems', loading.failed)}` : ''
-  return html`<section class="notice progress-card" aria-label=${t('progress.reading', loading.total)}>
+  const { t } = words;
+  const problems = loading.failed > 0 ? `, ${t('progress.problems', loading.failed)}` : '';
+  return html`<section
+    class="notice progress-card"
+    aria-label=${t('progress.reading', loading.total)}
+  >
     <div class="notice-line">
-      <strong>${loading.searching && loading.total === 0 ? t('progress.searching') : t('progress.reading', loading.total)}</strong>
+      <strong
+        >${loading.searching && loading.total === 0 ? t('progress.searching') : t('progress.reading', loading.total)}</strong
+      >
       ${iconButton({ name: 'x', label: t('progress.cancel'), small: true, onPress: onCancel })}
     </div>
-    <progress class="bar" max="1" .value=${loading.fraction} aria-label=${t('progress.reading', loading.total)}></progress>
+    <progress
+      class="bar"
+      max="1"
+      .value=${loading.fraction}
+      aria-label=${t('progress.reading', loading.total)}
+    ></progress>
     <div class="notice-line notice-facts">
       <span>${t('progress.read', loading.done)}${problems}</span>
-      <span>${loading.searching ? t('progress.searching') : timeLeft(words, loading.secondsLeft)}</span>
+      <span
+        >${loading.searching ? t('progress.searching') : timeLeft(words, loading.secondsLeft)}</span
+      >
     </div>
-  </section>`
+  </section>`;
 }
 
 function toastCard({ words: { t }, onClose }: NoticeProps, toast: Toast): TemplateResult {
-  const { action } = toast
+  const { action } = toast;
   const run = (): void => {
-    onClose()
-    action?.run()
-  }
+    onClose();
+    action?.run();
+  };
   return html`<div class="notice toast toast-${toast.kind}">
     ${icon(toastIcons[toast.kind])}
     <span class="toast-text">${toast.text}</span>
     ${action ? html`<button type="button" class="button link" @click=${run}>${action.label}</button>` : nothing}
     ${toast.kind === 'error' ? iconButton({ name: 'x', label: t('toast.close'), small: true, onPress: onClose }) : nothing}
-  </div>`
+  </div>`;
 }
 
 export function notices(props: NoticeProps): TemplateResult {
@@ -57,5 +74,5 @@ export function notices(props: NoticeProps): TemplateResult {
     <div role="status" aria-live=${props.toast?.kind === 'error' ? 'assertive' : 'polite'}>
       ${props.toast ? toastCard(props, props.toast) : nothing}
     </div>
-  `
+  `;
 }

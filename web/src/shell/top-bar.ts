@@ -1,85 +1,101 @@
 /** Where one is and what holds everywhere: the mark, the open clip and its neighbours, undo, taste, help. */
-import { html, nothing, type TemplateResult } from 'lit-html'
-import type { Words } from '../app/i18n/catalogue'
-import type { ThemeChoice } from '../app/theme'
-import { mark, type IconName } from '../common/icons'
-import { iconButton } from '../common/buttons'
-import { clipName } from '../common/clip-name'
+import { html, nothing, type TemplateResult } from 'lit-html';
+import type { Words } from '../app/i18n/catalogue';
+import type { ThemeChoice } from '../app/theme';
+import { mark, type IconName } from '../common/icons';
+import { iconButton } from '../common/buttons';
+import { clipName } from '../common/clip-name';
 
 export interface OpenClipPlace {
-  readonly name: string
-  readonly qualifier: string
+  readonly name: string;
+  readonly qualifier: string;
   /** From 1, among the rows shown; 0 where the filter hides the clip. */
-  readonly place: number
-  readonly count: number
+  readonly place: number;
+  readonly count: number;
 }
 
 export interface TopBarProps {
-  readonly words: Words
-  readonly themeChoice: ThemeChoice
+  readonly words: Words;
+  readonly themeChoice: ThemeChoice;
   /** null on the empty page. */
   readonly study: {
-    readonly clip: OpenClipPlace | null
-    readonly undo: string | null
-    readonly redo: string | null
+    readonly clip: OpenClipPlace | null;
+    readonly undo: string | null;
+    readonly redo: string | null;
     /** Whether there are side panels at all. */
-    readonly panels: boolean
-    readonly libraryOpen: boolean
-    readonly inspectorOpen: boolean
-  } | null
-  onClip(direction: 1 | -1): void
-  onUndo(): void
-  onRedo(): void
-  onLanguage(): void
-  onTheme(): void
-  onHelp(): void
-  onLibrary(): void
-  onInspector(): void
+    readonly panels: boolean;
+    readonly libraryOpen: boolean;
+    readonly inspectorOpen: boolean;
+  } | null;
+  readonly onClip: (direction: 1 | -1) => void;
+  readonly onUndo: () => void;
+  readonly onRedo: () => void;
+  readonly onLanguage: () => void;
+  readonly onTheme: () => void;
+  readonly onHelp: () => void;
+  readonly onLibrary: () => void;
+  readonly onInspector: () => void;
 }
 
-const themeIcons: Readonly<Record<ThemeChoice, IconName>> = { light: 'sun', dark: 'moon', system: 'sun-moon' }
+const themeIcons: Readonly<Record<ThemeChoice, IconName>> = {
+  light: 'sun',
+  dark: 'moon',
+  system: 'sun-moon',
+};
 
 function clipPlace({ words: { t }, onClip }: TopBarProps, clip: OpenClipPlace): TemplateResult {
   return html`
     ${iconButton({ name: 'chevron-left', label: t('top.previous-clip'), small: true, disabled: clip.place <= 1, onPress: () => onClip(-1) })}
     <h1 class="top-clip">${clipName(clip.name, clip.qualifier)}</h1>
-    <span class="top-place">${clip.place > 0 ? t('top.place', clip.place, clip.count) : nothing}</span>
+    <span class="top-place"
+      >${clip.place > 0 ? t('top.place', clip.place, clip.count) : nothing}</span
+    >
     ${iconButton({ name: 'chevron-right', label: t('top.next-clip'), small: true, disabled: clip.place === 0 || clip.place >= clip.count, onPress: () => onClip(1) })}
-  `
+  `;
 }
 
-function historyButtons(props: TopBarProps, study: NonNullable<TopBarProps['study']>): TemplateResult {
-  const { t } = props.words
-  const { undo, redo } = study
+function historyButtons(
+  props: TopBarProps,
+  study: NonNullable<TopBarProps['study']>,
+): TemplateResult {
+  const { t } = props.words;
+  const { undo, redo } = study;
   return html`
     ${iconButton({ name: 'undo', label: undo === null ? t('top.undo') : t('top.undo.what', undo), keys: 'Control+Z', keyText: `${t('key.ctrl')} Z`, disabled: undo === null, onPress: props.onUndo })}
     ${iconButton({ name: 'redo', label: redo === null ? t('top.redo') : t('top.redo.what', redo), keys: 'Control+Shift+Z', keyText: `${t('key.ctrl')} ${t('key.shift')} Z`, disabled: redo === null, onPress: props.onRedo })}
     <span class="rule"></span>
-  `
+  `;
 }
 
 function tasteButtons(props: TopBarProps): TemplateResult {
-  const { t } = props.words
+  const { t } = props.words;
   return html`
-    <button class="button ghost language" lang=${props.words.language === 'en' ? 'ja' : 'en'} @click=${props.onLanguage}
-      >${t('language.other')}</button>
+    <button
+      class="button ghost language"
+      lang=${props.words.language === 'en' ? 'ja' : 'en'}
+      @click=${props.onLanguage}
+    >
+      ${t('language.other')}
+    </button>
     ${iconButton({ name: themeIcons[props.themeChoice], label: t(`top.theme.${props.themeChoice}`), onPress: props.onTheme })}
     ${iconButton({ name: 'help', label: t('top.help'), keys: '?', keyText: '?', onPress: props.onHelp })}
-  `
+  `;
 }
 
 export function topBar(props: TopBarProps): TemplateResult {
-  const { words: { t }, study } = props
+  const {
+    words: { t },
+    study,
+  } = props;
   const panel = (name: IconName, label: string, on: boolean, onPress: () => void): TemplateResult =>
-    iconButton({ name, label, pressed: on, onPress })
+    iconButton({ name, label, pressed: on, onPress });
   return html`
     <div class="brand">${mark()}<span>Keypose</span></div>
     ${study?.panels ? panel('panel-left', t('top.library'), study.libraryOpen, props.onLibrary) : nothing}
     <div class="top-middle">${study?.clip ? clipPlace(props, study.clip) : nothing}</div>
     <div class="top-end">
-      ${study ? historyButtons(props, study) : nothing}
-      ${tasteButtons(props)}
+      ${study ? historyButtons(props, study) : nothing} ${tasteButtons(props)}
       ${study?.panels ? html`<span class="rule"></span>${panel('panel-right', t('top.inspector'), study.inspectorOpen, props.onInspector)}` : nothing}
     </div>
-  `
+  `;
 }

@@ -1,77 +1,85 @@
 /** The stage on the page: the open clip's performers on it, the words over it, the caption spoken when at rest. */
-import { computed, signal } from '@preact/signals-core'
-import type { Context } from '../app/context'
-import type { Store } from '../app/store'
-import { follow, mount } from '../common/mount'
-import { createPoseSource } from '../engine/pose-source'
-import { Stage, type StageFailure, type StagePerformer } from '../stage'
-import { captionOf, type Caption } from './caption'
-import { stageOverlay } from './stage-overlay'
+import { computed, signal } from '@preact/signals-core';
+import type { Context } from '../app/context';
+import type { Store } from '../app/store';
+import { follow, mount } from '../common/mount';
+import { createPoseSource } from '../engine/pose-source';
+import { Stage, type StageFailure, type StagePerformer } from '../stage';
+import { captionOf, type Caption } from './caption';
+import { stageOverlay } from './stage-overlay';
 
 export interface StagePlaces {
-  readonly stage: HTMLElement
-  readonly figure: HTMLElement
-  readonly overlay: HTMLElement
-  readonly spoken: HTMLElement
+  readonly stage: HTMLElement;
+  readonly figure: HTMLElement;
+  readonly overlay: HTMLElement;
+  readonly spoken: HTMLElement;
 }
 
 export interface StageSettings {
   /** `?stage=off`: nothing is drawn. */
-  readonly off: boolean
-  readonly reducedMotion: boolean
+  readonly off: boolean;
+  readonly reducedMotion: boolean;
 }
 
-type Trouble = StageFailure | 'off' | null
+type Trouble = StageFailure | 'off' | null;
 
 function createCaption({ store, language }: Context) {
   return computed((): Caption | null => {
-    const result = store.openClip.value?.result
-    if (!result) return null
+    const result = store.openClip.value?.result;
+    if (!result) return null;
     return captionOf(language.words.value, {
       frame: store.playback.value.frame,
       frameTimeS: result.frameTimeS,
       keyposes: store.keyposeFrames.value,
       current: store.currentKeypose.value,
       leadingRestFrames: store.openPerformer.value?.leadingRestFrames ?? 0,
-    })
-  })
+    });
+  });
 }
 
 /** Every performer of the open clip with a source of poses of its own. */
 function performersOf({ engine, store }: Context): StagePerformer[] {
-  const clip = store.openClip.peek()
-  const { frames, performers } = clip?.result ?? { frames: 0, performers: [] }
-  if (!clip) return []
+  const clip = store.openClip.peek();
+  const { frames, performers } = clip?.result ?? { frames: 0, performers: [] };
+  if (!clip) return [];
   return performers.map((performer, index) => ({
     ...performer,
-    source: createPoseSource(engine, clip.id, index, { jointCount: performer.skeleton.parents.length, frames }),
-  }))
+    source: createPoseSource(engine, clip.id, index, {
+      jointCount: performer.skeleton.parents.length,
+      frames,
+    }),
+  }));
 }
 
 function sentence({ store, language }: Context, trouble: Trouble): string {
-  const { t } = language.words.value
-  const clip = store.openClip.value
-  if (!clip) return store.loading.value ? '' : t('stage.choose')
-  if (clip.status === 'failed') return ''
-  if (!clip.result) return t('stage.loading', clip.source.name)
-  if (trouble === 'off') return t('stage.off')
-  if (trouble === 'no-webgl2') return t('stage.unavailable')
-  return trouble === 'context-lost' ? t('stage.lost') : ''
+  const { t } = language.words.value;
+  const clip = store.openClip.value;
+  if (!clip) return store.loading.value ? '' : t('stage.choose');
+  if (clip.status === 'failed') return '';
+  if (!clip.result) return t('stage.loading', clip.source.name);
+  if (trouble === 'off') return t('stage.off');
+  if (trouble === 'no-webgl2') return t('stage.unavailable');
+  return trouble === 'context-lost' ? t('stage.lost') : '';
 }
 
 function failure({ store, language }: Context) {
-  const clip = store.openClip.value
-  if (clip?.status !== 'failed' || !clip.failure) return null
-  const { t } = language.words.value
-  const { line, column } = clip.failure
-  const place = line === null ? '' : column === null ? t('notes.line', String(line)) : t('notes.place', String(line), String(column))
-  return { name: clip.source.name, place, reason: language.words.value.failure(clip.failure) }
+  const clip = store.openClip.value;
+  if (clip?.status !== 'failed' || !clip.failure) return null;
+  const { t } = language.words.value;
+  const { line, column } = clip.failure;
+  const place =
+    line === null
+      ? ''
+      : column === null
+        ? t('notes.line', String(line))
+        : t('notes.place', String(line), String(column));
+  return { name: clip.source.name, place, reason: language.words.value.failure(clip.failure) };
 }
 
 export function mountStage(places: StagePlaces, context: Context, settings: StageSettings): void {
-  const { store, language, theme } = context
-  const trouble = signal<Trouble>(settings.off ? 'off' : null)
-  const caption = createCaption(context)
+  const { store, language, theme } = context;
+  const trouble = signal<Trouble>(settings.off ? 'off' : null);
+  const caption = createCaption(context);
   const stage = new Stage(places.figure, {
     performers: [],
     theme: theme.theme.peek(),
@@ -80,21 +88,26 @@ export function mountStage(places: StagePlaces, context: Context, settings: Stag
     reducedMotion: settings.reducedMotion,
     off: settings.off,
     onViewChange: (view) => {
-      store.view.value = view
+      store.view.value = view;
     },
     onFailure: (reason) => {
-      trouble.value = reason
+      trouble.value = reason;
     },
     onRecovery: () => {
-      trouble.value = null
+      trouble.value = null;
     },
-  })
-  showScene(stage, context)
+  });
+  showScene(stage, context);
   follow(() => {
-    const label = language.words.value.t('stage.label')
-    places.stage.setAttribute('aria-label', label)
-    stage.update({ theme: theme.theme.value, view: store.view.value, follow: store.follow.value, label })
-  })
+    const label = language.words.value.t('stage.label');
+    places.stage.setAttribute('aria-label', label);
+    stage.update({
+      theme: theme.theme.value,
+      view: store.view.value,
+      follow: store.follow.value,
+      label,
+    });
+  });
   mount(places.overlay, () =>
     stageOverlay({
       words: language.words.value,
@@ -106,34 +119,38 @@ export function mountStage(places: StagePlaces, context: Context, settings: Stag
       view: store.view.value,
       follow: store.follow.value,
       onView: (view) => {
-        store.view.value = view
-        stage.frameView(view)
+        store.view.value = view;
+        stage.frameView(view);
       },
       onFollow: () => {
-        store.follow.value = !store.follow.peek()
+        store.follow.value = !store.follow.peek();
       },
     }),
-  )
-  speak(places.spoken, store, caption)
+  );
+  speak(places.spoken, store, caption);
 }
 
 function showScene(stage: Stage, context: Context): void {
-  const { store } = context
+  const { store } = context;
   // The same result means the same figures, whatever else has changed about the clip.
-  const result = computed(() => store.openClip.value?.result ?? null)
-  let performers: StagePerformer[] = []
+  const result = computed(() => store.openClip.value?.result ?? null);
+  let performers: StagePerformer[] = [];
   follow(() => {
-    performers.forEach(({ source }) => source.destroy())
-    performers = result.value ? performersOf(context) : []
-    stage.update({ performers })
-    stage.show(store.playback.peek().frame)
-  })
-  follow(() => stage.show(store.playback.value.frame))
+    performers.forEach(({ source }) => source.destroy());
+    performers = result.value ? performersOf(context) : [];
+    stage.update({ performers });
+    stage.show(store.playback.peek().frame);
+  });
+  follow(() => stage.show(store.playback.value.frame));
 }
 
 /** A caption is spoken when the time stands still; while it runs, it would never come to its end. */
-function speak(place: HTMLElement, store: Store, caption: { readonly value: Caption | null }): void {
+function speak(
+  place: HTMLElement,
+  store: Store,
+  caption: { readonly value: Caption | null },
+): void {
   follow(() => {
-    if (!store.playback.value.playing) place.textContent = caption.value?.spoken ?? ''
-  })
+    if (!store.playback.value.playing) place.textContent = caption.value?.spoken ?? '';
+  });
 }

@@ -1,35 +1,42 @@
 /** Timeline and keypose strip on the page: there while a clip with a motion is open. */
-import { computed, signal } from '@preact/signals-core'
-import type { Context } from '../app/context'
-import { follow } from '../common/mount'
-import type { PerformerResult } from '../engine/types'
-import { KeyposeStrip, type StripProps } from '../strip/keypose-strip'
-import { Timeline, type TimelineProps } from '../timeline/timeline'
-import { stripText, timelineText } from './study-text'
+import { computed, signal } from '@preact/signals-core';
+import type { Context } from '../app/context';
+import { follow } from '../common/mount';
+import type { PerformerResult } from '../engine/types';
+import { KeyposeStrip, type StripProps } from '../strip/keypose-strip';
+import { Timeline, type TimelineProps } from '../timeline/timeline';
+import { stripText, timelineText } from './study-text';
 
 /** A view that takes changes, kept only while there are props for it. */
-function keep<Props>(create: (props: Props) => { update(props: Props): void; destroy(): void }): (props: Props | null) => void {
-  let view: ReturnType<typeof create> | null = null
+function keep<Props>(
+  create: (props: Props) => { update(props: Props): void; destroy(): void },
+): (props: Props | null) => void {
+  let view: ReturnType<typeof create> | null = null;
   return (props) => {
     if (props === null) {
-      view?.destroy()
-      view = null
-    } else if (view) view.update(props)
-    else view = create(props)
-  }
+      view?.destroy();
+      view = null;
+    } else if (view) view.update(props);
+    else view = create(props);
+  };
 }
 
-export function mountTimeline(place: HTMLElement, { store, playback, language, theme }: Context): void {
-  const text = computed(() => timelineText(language.words.value))
-  const seek = (frame: number): void => playback.seek(frame)
+export function mountTimeline(
+  place: HTMLElement,
+  { store, playback, language, theme }: Context,
+): void {
+  const text = computed(() => timelineText(language.words.value));
+  const seek = (frame: number): void => playback.seek(frame);
   const hover = (frame: number | null): void => {
-    store.hoverFrame.value = frame
-  }
-  const show = keep<TimelineProps>((props) => new Timeline(place, props, { onSeek: seek, onHover: hover }))
+    store.hoverFrame.value = frame;
+  };
+  const show = keep<TimelineProps>(
+    (props) => new Timeline(place, props, { onSeek: seek, onHover: hover }),
+  );
   follow(() => {
-    const result = store.openClip.value?.result
-    const performer = store.openPerformer.value
-    if (!result || !performer) return show(null)
+    const result = store.openClip.value?.result;
+    const performer = store.openPerformer.value;
+    if (!result || !performer) return show(null);
     show({
       frames: result.frames,
       frameTimeS: result.frameTimeS,
@@ -40,37 +47,40 @@ export function mountTimeline(place: HTMLElement, { store, playback, language, t
       hoverFrame: store.hoverFrame.value,
       theme: theme.theme.value,
       text: text.value,
-    })
-  })
+    });
+  });
 }
 
 interface StripPoses {
-  readonly performer: PerformerResult
-  readonly poses: Float32Array
+  readonly performer: PerformerResult;
+  readonly poses: Float32Array;
 }
 
-export function mountStrip(place: HTMLElement, { engine, store, playback, language }: Context): void {
-  const text = computed(() => stripText(language.words.value))
-  const loaded = signal<StripPoses | null>(null)
-  const pick = (keypose: number): void => playback.seek(store.keyposeFrames.peek()[keypose] ?? 0)
-  const show = keep<StripProps>((props) => new KeyposeStrip(place, props, { onPick: pick }))
+export function mountStrip(
+  place: HTMLElement,
+  { engine, store, playback, language }: Context,
+): void {
+  const text = computed(() => stripText(language.words.value));
+  const loaded = signal<StripPoses | null>(null);
+  const pick = (keypose: number): void => playback.seek(store.keyposeFrames.peek()[keypose] ?? 0);
+  const show = keep<StripProps>((props) => new KeyposeStrip(place, props, { onPick: pick }));
 
   follow(() => {
-    const performer = store.openPerformer.value
-    const id = store.openId.value
-    if (!performer || id === null) return
+    const performer = store.openPerformer.value;
+    const id = store.openId.value;
+    if (!performer || id === null) return;
     engine
       .poses(id, store.performer.value, store.keyposeFrames.value)
       .then((poses) => {
-        loaded.value = { performer, poses }
+        loaded.value = { performer, poses };
       })
       // The strip goes on without figures; a clip that has gone says so itself.
-      .catch(() => undefined)
-  })
+      .catch(() => undefined);
+  });
   follow(() => {
-    const result = store.openClip.value?.result
-    const performer = store.openPerformer.value
-    if (!result || !performer) return show(null)
+    const result = store.openClip.value?.result;
+    const performer = store.openPerformer.value;
+    if (!result || !performer) return show(null);
     show({
       frames: result.frames,
       frameTimeS: result.frameTimeS,
@@ -79,6 +89,6 @@ export function mountStrip(place: HTMLElement, { engine, store, playback, langua
       poses: loaded.value?.performer === performer ? loaded.value.poses : null,
       currentKeypose: store.currentKeypose.value,
       text: text.value,
-    })
-  })
+    });
+  });
 }

@@ -1,18 +1,26 @@
 /** The words of a language in; the sentences that timeline and strip ask for out. */
-import type { Words } from '../app/i18n/catalogue'
-import type { StripText } from '../strip/keypose-strip'
-import type { TimelineText } from '../timeline/timeline'
+import type { Words } from '../app/i18n/catalogue';
+import type { StripText } from '../strip/keypose-strip';
+import type { TimelineText } from '../timeline/timeline';
 
 /** Seconds as spoken and as written on cards. */
-const secondDigits = 2
+const secondDigits = 2;
 
-export function keyposeText({ t, format }: Words): (number: number, count: number, timeS: number) => string {
+export function keyposeText({
+  t,
+  format,
+}: Words): (number: number, count: number, timeS: number) => string {
   return (number, count, timeS) =>
-    t('spoken.keypose', format.integer(number), format.integer(count), format.decimal(timeS, secondDigits))
+    t(
+      'spoken.keypose',
+      format.integer(number),
+      format.integer(count),
+      format.decimal(timeS, secondDigits),
+    );
 }
 
 export function timelineText(words: Words): TimelineText {
-  const { t, format } = words
+  const { t, format } = words;
   return {
     timeline: t('timeline.label'),
     pins: t('timeline.pins'),
@@ -29,11 +37,11 @@ export function timelineText(words: Words): TimelineText {
     keyposes: (first, last, count) =>
       t('spoken.keyposes', format.integer(first), format.integer(last), format.integer(count)),
     moment: (frame, timeS) => t('spoken.moment', format.decimal(timeS, 3), String(frame)),
-  }
+  };
 }
 
 export function stripText(words: Words): StripText {
-  const { t, format } = words
+  const { t, format } = words;
   return {
     strip: t('strip.label'),
     keyposes: t('strip.label'),
@@ -42,5 +50,5 @@ export function stripText(words: Words): StripText {
     seconds: (timeS, digits) => format.decimal(timeS, digits),
     shown: (shown, all) => t('strip.shown', format.integer(shown), format.integer(all)),
     keypose: keyposeText(words),
-  }
+  };
 }

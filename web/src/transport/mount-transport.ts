@@ -1,15 +1,15 @@
 /** The transport on the page. */
-import type { Context } from '../app/context'
-import { mount } from '../common/mount'
-import { transport } from './transport'
+import type { Context } from '../app/context';
+import { mount } from '../common/mount';
+import { transport } from './transport';
 
 export function mountTransport(place: HTMLElement, { store, playback, language }: Context): void {
   mount(place, () => {
-    const words = language.words.value
-    place.setAttribute('aria-label', words.t('transport.label'))
-    const state = store.playback.value
-    const frames = store.keyposeFrames.value
-    const result = store.openClip.value?.result
+    const words = language.words.value;
+    place.setAttribute('aria-label', words.t('transport.label'));
+    const state = store.playback.value;
+    const frames = store.keyposeFrames.value;
+    const result = store.openClip.value?.result;
     return transport({
       words,
       playback: state,
@@ -22,6 +22,6 @@ export function mountTransport(place: HTMLElement, { store, playback, language }
       onKeypose: (direction) => playback.keypose(direction),
       onSpeed: (direction) => playback.speed(direction),
       onLoop: () => playback.loop(),
-    })
-  })
+    });
+  });
 }

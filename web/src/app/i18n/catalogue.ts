@@ -3,63 +3,65 @@
  * the language. `{0}`, `{1}` … stand for the arguments; a message with two forms takes the form of its
  * first number.
  */
-import type { Failure, Note } from '../../engine/types'
-import { createFormat, type Format } from '../format'
-import { en, type MessageKey } from './en'
-import { englishFailures, englishNotes } from './en-notes'
-import { ja } from './ja'
-import { japaneseFailures, japaneseNotes } from './ja-notes'
+import type { Failure, Note } from '../../engine/types';
+import { createFormat, type Format } from '../format';
+import { en, type MessageKey } from './en';
+import { englishFailures, englishNotes } from './en-notes';
+import { ja } from './ja';
+import { japaneseFailures, japaneseNotes } from './ja-notes';
 
-export type { MessageKey }
-export type Language = 'en' | 'ja'
-export type Message = string | { readonly one: string; readonly other: string }
-export type Catalogue = Readonly<Record<MessageKey, Message>>
-export type Argument = string | number
+export type { MessageKey };
+export type Language = 'en' | 'ja';
+export type Message = string | { readonly one: string; readonly other: string };
+export type Catalogue = Readonly<Record<MessageKey, Message>>;
+export type Argument = string | number;
 
 export interface Words {
-  readonly language: Language
-  readonly format: Format
+  readonly language: Language;
+  readonly format: Format;
   /** The sentence of a key. */
-  t(key: MessageKey, ...values: readonly Argument[]): string
+  readonly t: (key: MessageKey, ...values: readonly Argument[]) => string;
   /** The sentence of a note of the reader or the analysis. */
-  note(note: Note): string
+  readonly note: (note: Note) => string;
   /** The sentence of a failure. */
-  failure(failure: Failure): string
+  readonly failure: (failure: Failure) => string;
 }
 
 interface Book {
-  readonly messages: Catalogue
-  readonly notes: Readonly<Record<string, string>>
-  readonly failures: Readonly<Record<string, string>>
+  readonly messages: Catalogue;
+  readonly notes: Readonly<Record<string, string>>;
+  readonly failures: Readonly<Record<string, string>>;
 }
 
 const books: Readonly<Record<Language, Book>> = {
   en: { messages: en, notes: englishNotes, failures: englishFailures },
   ja: { messages: ja, notes: japaneseNotes, failures: japaneseFailures },
-}
+};
 
 /** Puts the values in the places `{0}`, `{1}` … of a template. */
 export function fill(template: string, values: readonly string[]): string {
-  return template.replace(/\{(\d+)\}/g, (place, index: string) => values[Number(index)] ?? place)
+  return template.replace(/\{(\d+)\}/g, (place, index: string) => values[Number(index)] ?? place);
 }
 
 export function wordsFor(language: Language): Words {
-  const book = books[language]
-  const plural = new Intl.PluralRules(language)
-  const format = createFormat(language)
+  const book = books[language];
+  const plural = new Intl.PluralRules(language);
+  const format = createFormat(language);
 
   const form = (message: Message, values: readonly Argument[]): string => {
-    if (typeof message === 'string') return message
-    const count = values.find((value) => typeof value === 'number') ?? 0
-    return plural.select(Number(count)) === 'one' ? message.one : message.other
-  }
-  const text = (value: Argument): string => (typeof value === 'number' ? format.integer(value) : value)
+    if (typeof message === 'string') return message;
+    const count = values.find((value) => typeof value === 'number') ?? 0;
+    return plural.select(Number(count)) === 'one' ? message.one : message.other;
+  };
+  const text = (value: Argument): string =>
+    typeof value === 'number' ? format.integer(value) : value;
 
   return {
     language,
     format,
     t: (key, ...values) => fill(form(book.messages[key], values), values.map(text)),
     note: ({ kind, details }) => fill(book.notes[kind] ?? [kind, ...details].join(' '), details),
-    failure: ({ kind, details }) => fill(book.failures[kind] ?? [kind, ...details].join(' '), details),
-  }
+    failure: ({ kind, details }) =>
+      fill(book.failures[kind] ?? [kind, ...details].join(' '), details),
+  };
 }

@@ -77,8 +77,10 @@ export const en = {
   'stage.grid.metric': 'grid 0.5 m',
   'stage.grid.body': 'grid ½ body height',
   'stage.off': 'Drawing is switched off (stage=off).',
-  'stage.unavailable': 'This browser offers no WebGL 2, so no figure can be drawn. Timeline, keyposes and exports go on.',
-  'stage.lost': 'The graphics were lost. Timeline, keyposes and exports go on; reload the page to see the figure again.',
+  'stage.unavailable':
+    'This browser offers no WebGL 2, so no figure can be drawn. Timeline, keyposes and exports go on.',
+  'stage.lost':
+    'The graphics were lost. Timeline, keyposes and exports go on; reload the page to see the figure again.',
   'stage.loading': 'Reading {0} …',
   'stage.choose': 'Choose a clip in the library.',
   'stage.failed': 'This file could not be read',
@@ -214,17 +216,29 @@ export const en = {
   'progress.left.minutes': 'about {0} min',
   'progress.searching': 'looking for BVH files',
   'progress.cancel': 'Cancel reading',
-  'toast.cancelled': { one: 'Stopped. {0} file is in the library.', other: 'Stopped. {0} files are in the library.' },
+  'toast.cancelled': {
+    one: 'Stopped. {0} file is in the library.',
+    other: 'Stopped. {0} files are in the library.',
+  },
   'toast.removed': '{0} removed',
-  'toast.failed': { one: '{0} of {1} files could not be read', other: '{0} of {1} files could not be read' },
+  'toast.failed': {
+    one: '{0} of {1} files could not be read',
+    other: '{0} of {1} files could not be read',
+  },
   'toast.failed.one': '{0} could not be read',
   'toast.show': 'Show',
   'toast.undo': 'Undo',
   'toast.close': 'Close',
   'toast.not-bvh': '{0} is no BVH file.',
-  'toast.not-bvh.many': { one: '{0} file is no BVH file: {1}', other: '{0} files are no BVH files: {1} …' },
+  'toast.not-bvh.many': {
+    one: '{0} file is no BVH file: {1}',
+    other: '{0} files are no BVH files: {1} …',
+  },
   'toast.nothing-found': 'No BVH files in {0}.',
-  'toast.already': { one: '{0} file was in the library already', other: '{0} files were in the library already' },
+  'toast.already': {
+    one: '{0} file was in the library already',
+    other: '{0} files were in the library already',
+  },
   'toast.error': '{0}: {1}',
   'toast.saved': '{0} saved',
   'drop.veil': 'Drop to add to the library',
@@ -258,6 +272,6 @@ export const en = {
   'key.shift': 'Shift',
   'key.ctrl': 'Ctrl',
   'key.delete': 'Delete',
-} as const satisfies Record<string, string | { readonly one: string; readonly other: string }>
+} as const satisfies Record<string, string | { readonly one: string; readonly other: string }>;
 
-export type MessageKey = keyof typeof en
+export type MessageKey = keyof typeof en;

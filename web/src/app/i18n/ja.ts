@@ -1,5 +1,5 @@
 /** Every sentence of the page in Japanese; the keys are those of `en`. */
-import type { Catalogue } from './catalogue'
+import type { Catalogue } from './catalogue';
 
 export const ja: Catalogue = {
   'language.other': 'English',
@@ -79,8 +79,10 @@ export const ja: Catalogue = {
   'stage.grid.metric': '方眼 0.5 m',
   'stage.grid.body': '方眼 身長の ½',
   'stage.off': '描画は切ってあります（stage=off）。',
-  'stage.unavailable': 'このブラウザーでは WebGL 2 が使えないため、姿を描けません。タイムライン、キーポーズ、書き出しは使えます。',
-  'stage.lost': '描画の機能が失われました。タイムライン、キーポーズ、書き出しは使えます。姿を見るにはページを読み込み直してください。',
+  'stage.unavailable':
+    'このブラウザーでは WebGL 2 が使えないため、姿を描けません。タイムライン、キーポーズ、書き出しは使えます。',
+  'stage.lost':
+    '描画の機能が失われました。タイムライン、キーポーズ、書き出しは使えます。姿を見るにはページを読み込み直してください。',
   'stage.loading': '{0} を読み込んでいます…',
   'stage.choose': 'ライブラリからクリップを選んでください。',
   'stage.failed': 'このファイルは読み込めませんでした',
@@ -260,4 +262,4 @@ export const ja: Catalogue = {
   'key.shift': 'Shift',
   'key.ctrl': 'Ctrl',
   'key.delete': 'Delete',
-}
+};
