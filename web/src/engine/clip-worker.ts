@@ -269,5 +269,5 @@ function settingsKey({ decisions, options }: ClipRef): string {
 /** A Blob that cannot be read any more belongs to a file that was changed or removed. */
 function readingError(error: unknown, readBefore: boolean): unknown {
   if (!(error instanceof DOMException)) return error;
-  return new CoreFailure(failureOf(readBefore ? 'changed-on-disk' : 'not-readable'));
+  return new CoreFailure(failureOf(readBefore ? 'changed-on-disk' : 'unreadable'));
 }

@@ -106,6 +106,23 @@ describe('pose source', () => {
     expect(source.read(0)).toBeNull();
   });
 
+  it('tells of a failure, and tries again a second later, however often it is read', async () => {
+    vi.useFakeTimers();
+    const poseRange = vi.fn(() => Promise.reject(new Error('changed on disk')));
+    const onError = vi.fn();
+    const source = createPoseSource({ poseRange }, 1, 0, shape, { chunkFrames: 10, onError });
+    for (let read = 0; read < 50; read += 1) {
+      source.read(0);
+      await vi.advanceTimersByTimeAsync(16);
+    }
+    expect(poseRange).toHaveBeenCalledTimes(1);
+    expect(onError).toHaveBeenCalledTimes(1);
+    await vi.advanceTimersByTimeAsync(1000);
+    source.read(0);
+    expect(poseRange).toHaveBeenCalledTimes(2);
+    vi.useRealTimers();
+  });
+
   it('tells of poses of a wrong length with the numbers', async () => {
     const poseRange = () => Promise.resolve(new Float32Array(5));
     const onError = vi.fn();

@@ -28,7 +28,7 @@ export interface PoseSourceOptions {
   readonly maximumBytes?: number;
   /** Chunks fetched ahead; default 2. */
   readonly chunksAhead?: number;
-  /** Told when poses cannot be had; the chunk is asked for again at the next read. */
+  /** Told when poses cannot be had; the chunk can be asked for again a second later. */
   readonly onError?: (error: unknown) => void;
 }
 
@@ -51,6 +51,9 @@ export function createPoseSource(
 }
 
 type FetchPoses = (first: number, count: number, signal: AbortSignal) => Promise<Float32Array>;
+
+/** How long a chunk that failed is left alone. */
+const RETRY_MS = 1000;
 
 /** One view for every frame of the chunk, made on arrival so that reading allocates nothing. */
 type Chunk = readonly Float32Array[];
@@ -152,7 +155,10 @@ class ChunkedPoses implements PoseSource {
       const poses = await this.fetch(first, count, this.abort.signal);
       if (!this.abort.signal.aborted) this.keep(index, this.viewsOf(poses, count));
     } catch (error) {
-      if (!this.abort.signal.aborted) this.onError(error);
+      if (this.abort.signal.aborted) return;
+      this.onError(error);
+      // Drawing asks again with every frame: what fails is not to be tried as often.
+      await new Promise((resolve) => setTimeout(resolve, RETRY_MS));
     } finally {
       this.underWay.delete(index);
       const next = this.waiting;
