@@ -6,6 +6,7 @@
 
 mod analyser;
 mod facing;
+mod findings;
 mod following;
 mod performer;
 mod placement;

@@ -1,16 +1,15 @@
 //! One performer's analysis as a row of pieces, each made from those before it. A step makes a part
 //! of the first piece that is missing; a changed setting takes pieces away.
 
+use super::PerformerAnalysis;
+use super::findings::Findings;
 use super::following::Following;
 use super::placement::Placement;
 use super::settings::Decisions;
-use super::{KeyposeAnalysis, PerformerAnalysis};
 use crate::body::{self, Body, PelvisFrame, PoseTable, TableBuilder};
 use crate::clip::Clip;
-use crate::figure;
 use crate::keypose::{Extraction, Extractor, Options, OptionsError};
-use crate::kinematics::Kinematics;
-use crate::note::{Note, NoteKind};
+use crate::note::Note;
 use crate::speed::{self, MotionSpeed, SpeedRun};
 use crate::track::PelvisTrack;
 
@@ -256,98 +255,19 @@ impl PerformerRun {
         performer: usize,
         settings: &Settings,
     ) -> Option<PerformerAnalysis> {
-        let (body, placement, track) = (
-            self.body.clone()?,
-            self.placement.as_ref()?,
-            self.track.as_ref()?,
-        );
-        let keyposes = self.keyposes(clip, track);
-        let frames = keyposes
-            .as_ref()
-            .map(KeyposeAnalysis::keyposes)
-            .unwrap_or_default();
-        let thumbnail_frame = figure::thumbnail_frame(track, &frames).unwrap_or(0);
-        let pictured = if frames.is_empty() {
-            &[thumbnail_frame][..]
-        } else {
-            &frames
-        };
-        let unit = placement.unit(&body, &settings.decisions);
-        Some(PerformerAnalysis {
-            height: placement.frame.height,
-            up: placement.up,
-            ground_height: placement.ground_height,
-            leading_rest: placement.leading_rest,
+        let findings = Findings {
+            clip,
+            performer,
+            settings,
+            body: self.body.as_ref()?,
+            placement: self.placement.as_ref()?,
+            track: self.track.as_ref()?,
+            jumps: &self.jumps,
             feature: self.feature,
-            thumbnail_frame,
-            side_yaw_rad: side_yaw_rad(clip, performer, pictured, placement),
-            front_yaw_rad: placement.front_yaw_rad,
-            notes: self.notes(&body, placement, settings, unit.is_none()),
-            unit,
-            keyposes,
-            body,
-        })
+            speed: self.speed.as_ref(),
+            trend: &self.trend,
+            extraction: self.extraction.as_ref(),
+        };
+        Some(findings.analysis())
     }
-
-    fn keyposes(&self, clip: &Clip, track: &PelvisTrack) -> Result<KeyposeAnalysis, Note> {
-        match (&self.speed, &self.extraction) {
-            (Some(speed), Some(extraction)) => Ok(KeyposeAnalysis {
-                first_frame: track.first_frame,
-                speed: speed.values.clone(),
-                trend: self.trend.clone(),
-                extraction: extraction.clone(),
-            }),
-            _ if clip.frames == 0 => Err(Note::new(NoteKind::NoMotion, Vec::new())),
-            _ => Err(Note::new(
-                NoteKind::TooShort,
-                vec![track.frames().to_string()],
-            )),
-        }
-    }
-
-    fn notes(
-        &self,
-        body: &Body,
-        placement: &Placement,
-        settings: &Settings,
-        is_unit_unknown: bool,
-    ) -> Vec<Note> {
-        let mut notes = body.notes.clone();
-        notes.extend(placement.notes());
-        if is_unit_unknown {
-            notes.push(Note::new(NoteKind::UnitUnknown, Vec::new()));
-        }
-        notes.extend_from_slice(&self.jumps);
-        if self.speed.as_ref().is_some_and(|speed| !speed.filtered) {
-            let details = vec![settings.options.low_pass_hz.to_string()];
-            notes.push(Note::new(NoteKind::LowPassLeftOut, details));
-        }
-        if let Some(extraction) = self
-            .extraction
-            .as_ref()
-            .filter(|one| one.scales_left_out > 0)
-        {
-            let finest = extraction.scales_hz.first().map(|hz| format!("{hz:.2}"));
-            notes.push(Note::new(
-                NoteKind::ScalesLeftOut,
-                finest.into_iter().collect(),
-            ));
-        }
-        notes
-    }
-}
-
-/// The yaw from which the poses at `frames` are widest.
-fn side_yaw_rad(clip: &Clip, performer: usize, frames: &[usize], placement: &Placement) -> f64 {
-    let mut kinematics = Kinematics::new(clip, performer);
-    let width = 3 * kinematics.joint_count();
-    let inside = frames.iter().filter(|frame| **frame < clip.frames);
-    let mut poses = Vec::new();
-    for &frame in inside {
-        let mut pose = vec![0.0; width];
-        kinematics.positions(frame, &mut pose);
-        poses.push(pose);
-    }
-    let poses: Vec<&[f64]> = poses.iter().map(Vec::as_slice).collect();
-    figure::widest_side_yaw(&poses, placement.up.0)
 }
