@@ -7,13 +7,13 @@ use motion::report::{Subject, csv, json_lines};
 
 fn stick() -> String {
     let rows: String = (0..80)
-        .map(|frame| format!("{} 0 0\n", [0, 0, 3, 8, 11, 11, 12, 20][frame % 8]))
+        .map(|frame| format!("0 0 0 {} 0 0\n", frame * frame % 97 + frame % 7))
         .collect();
     format!(
         "HIERARCHY\nROOT a \"b\"\n{{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n\
          JOINT c\n{{\nOFFSET 0 1 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n\
-         End Site\n{{\nOFFSET 0 1 0\n}}\n}}\n}}\nMOTION\nFrames: 80\nFrame Time: 0.0625\n{}",
-        rows.replace(" 0 0\n", " 0 0 0 0 0\n")
+         JOINT d\n{{\nOFFSET 0 1 0\nCHANNELS 0\n\
+         End Site\n{{\nOFFSET 0 1 0\n}}\n}}\n}}\n}}\nMOTION\nFrames: 80\nFrame Time: 0.0625\n{rows}"
     )
 }
 
