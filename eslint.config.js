@@ -2,7 +2,7 @@
 import tseslint from 'typescript-eslint';
 
 const typed = {
-  files: ['web/src/**/*.ts', 'tests/**/*.ts', '*.config.ts'],
+  files: ['web/src/**/*.ts', 'tests/**/*.ts', 'bench/**/*.ts', '*.config.ts'],
   extends: [tseslint.configs.recommendedTypeChecked],
   languageOptions: {
     parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname },
@@ -74,7 +74,16 @@ const oneWay = [
 ];
 
 export default tseslint.config(
-  { ignores: ['target/', 'tools/', 'dist/', 'web/src/engine/generated/', 'test-results/'] },
+  {
+    ignores: [
+      'target/',
+      'tools/',
+      'dist/',
+      'web/src/engine/generated/',
+      'test-results/',
+      'bench/results/',
+    ],
+  },
   typed,
   app,
   oneWay,

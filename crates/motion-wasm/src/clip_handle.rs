@@ -131,6 +131,19 @@ impl ClipHandle {
         self.poses_at(performer, frames)
     }
 
+    /// The values of `count` rows from `first_row` on, as the file has them: rows × channels.
+    pub fn rows(&self, first_row: u32, count: u32) -> Result<Vec<f64>, JsError> {
+        let Some(clip) = self.clip.as_ref().filter(|_| self.has_motion) else {
+            return Err(failure::misuse("rows: there is no motion"));
+        };
+        let start = first_row as usize * clip.row_width;
+        let rows = clip
+            .values
+            .get(start..start + count as usize * clip.row_width);
+        let rows = rows.ok_or_else(|| failure::misuse("rows: the clip has fewer"))?;
+        Ok(rows.to_vec())
+    }
+
     /// Whether poses can be had.
     #[wasm_bindgen(js_name = hasMotion)]
     pub fn has_motion(&self) -> bool {

@@ -70,6 +70,17 @@ describe('a clip in the core', () => {
     clip.free();
   });
 
+  it('gives the rows of the file, to the last bit', () => {
+    const clip = read(walk);
+    const lines = new TextDecoder().decode(walk).trimEnd().split('\n').slice(-3);
+    const expected = lines.flatMap((line) => line.trim().split(' ').map(Number));
+    const frames = analysed(clip).result().frames;
+    expect(clip.rows(frames - 3, 3)).toEqual(Float64Array.from(expected));
+    expect(clip.rows(frames, 0)).toHaveLength(0);
+    expect(() => clip.rows(frames - 3, 4)).toThrow('rows: the clip has fewer');
+    clip.free();
+  });
+
   it('refuses calls out of order, in words', () => {
     const clip = core.newClip();
     expect(() => clip.push(walk)).toThrow('push: beginReading must come first');

@@ -64,6 +64,8 @@ export interface CoreClip {
   result(): ClipResult;
   poses(performer: number, frames: Int32Array): Float32Array<ArrayBuffer>;
   poseRange(performer: number, firstFrame: number, count: number): Float32Array<ArrayBuffer>;
+  /** The values of a run of rows as the file has them: rows × channels. */
+  rows(firstRow: number, count: number): Float64Array<ArrayBuffer>;
   report(kind: ExportKind, fileName: string, sha256: string): string;
   /** Whether poses can be had. */
   hasMotion(): boolean;
@@ -134,6 +136,10 @@ class WasmClip implements CoreClip {
   poseRange(performer: number, firstFrame: number, count: number): Float32Array<ArrayBuffer> {
     const poses = refusing(() => this.handle.poseRange(performer, firstFrame, count));
     return poses as Float32Array<ArrayBuffer>;
+  }
+
+  rows(firstRow: number, count: number): Float64Array<ArrayBuffer> {
+    return refusing(() => this.handle.rows(firstRow, count)) as Float64Array<ArrayBuffer>;
   }
 
   report(kind: ExportKind, fileName: string, sha256: string): string {

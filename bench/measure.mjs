@@ -1,0 +1,65 @@
+// The measurements. In: the page's address, sets of files, long clips, runs. Out: what was measured, as
+// data that results are written and shown from.
+import { statSync } from 'node:fs';
+import { basename } from 'node:path';
+import { inFreshPage } from './browser.mjs';
+import { ratios, speeds, spread } from './statistics.mjs';
+
+const names = (paths) => paths.map((path) => basename(path));
+const bytesOf = (paths) => paths.reduce((sum, path) => sum + statSync(path).size, 0);
+
+/** Milliseconds of each run over all paths together. */
+function together(paths, native, key) {
+  const series = paths.map((path) => native.get(path)[key]);
+  return series[0].map((_, run) => series.reduce((sum, times) => sum + times[run], 0));
+}
+
+/** Reading one set: MB/s of each reader, and how many times faster than three.js. */
+export async function measureReading(address, { title, paths }, native, runs) {
+  const bytes = bytesOf(paths);
+  const { value } = await inFreshPage(address, paths, 'read', names(paths), runs);
+  const { value: bits } = await inFreshPage(address, paths, 'bits', names(paths));
+  const speed = (times_ms) => spread(speeds(bytes, times_ms));
+  return {
+    title,
+    bytes,
+    keypose: speed(value.keypose),
+    keyposeAndPoses: speed(value.keyposeAndPoses),
+    three: speed(value.three),
+    times: spread(ratios(value.keypose, value.three)),
+    native: speed(together(paths, native, 'readMs')),
+    bits,
+  };
+}
+
+/** From the channels of one clip to its keyposes, in ms, and the longest step. */
+export async function measureExtraction(address, path, native, runs) {
+  const { value } = await inFreshPage(address, [path], 'extraction', basename(path), runs);
+  const { frames, keyposes, analyseMs } = native.get(path);
+  if (value.some((found) => found.keyposes !== keyposes || found.frames !== frames)) {
+    throw new Error(`${path}: the browser and the native run find different keyposes`);
+  }
+  return {
+    frames,
+    keyposes,
+    browser: spread(value.map((found) => found.analyseMs)),
+    longestStep: spread(value.map((found) => found.longestStepMs)),
+    native: spread(analyseMs),
+  };
+}
+
+/** From a file on disk to keyposes and the first pose, through a worker, in ms; and the memory it took. */
+export async function measureOpening(address, path, runs) {
+  const once = await inFreshPage(address, [path], 'open', basename(path), 1);
+  const many = await inFreshPage(address, [path], 'open', basename(path), runs + 1);
+  const [first, ...later] = many.value.openedMs;
+  return {
+    file: basename(path),
+    bytes: bytesOf([path]),
+    first,
+    later: spread(later),
+    longestTask: many.value.longestTaskMs,
+    memoryBytes: once.memoryBytes,
+    chromium: many.version,
+  };
+}

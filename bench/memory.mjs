@@ -1,0 +1,31 @@
+// The memory of a page as the system counts it (Linux only): the peak of its processes' resident memory
+// less what they took before. What a page can ask about itself leaves much out.
+import { existsSync, readFileSync } from 'node:fs';
+
+function kilobytes(pid, field) {
+  const status = readFileSync(`/proc/${pid}/status`, 'utf8');
+  return Number(new RegExp(`^${field}:\\s*(\\d+) kB`, 'm').exec(status)?.[1] ?? 0);
+}
+
+/** The renderers of one browser, from now on. */
+export class RendererMemory {
+  constructor(pids) {
+    this.before = pids.map((pid) => ({ pid, kb: kilobytes(pid, 'VmRSS') }));
+  }
+
+  static async of(browser) {
+    if (!existsSync('/proc/self/status')) return new RendererMemory([]);
+    const session = await browser.newBrowserCDPSession();
+    const { processInfo } = await session.send('SystemInfo.getProcessInfo');
+    const renderers = processInfo.filter(({ type }) => type === 'renderer');
+    return new RendererMemory(renderers.map(({ id }) => id));
+  }
+
+  /** Bytes; null where they cannot be known. A spare renderer takes no part and adds nothing. */
+  peakBytes() {
+    const grown = this.before
+      .filter(({ pid }) => existsSync(`/proc/${pid}/status`))
+      .map(({ pid, kb }) => kilobytes(pid, 'VmHWM') - kb);
+    return grown.length === 0 ? null : Math.max(...grown) * 1024;
+  }
+}
