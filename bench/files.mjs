@@ -51,8 +51,8 @@ function recordings() {
 /** `{ sets: [{ title, paths }], long: [path] }`; `frames` are those of the long clips. */
 export function benchmarkFiles(folder, frames) {
   mkdirSync(folder, { recursive: true });
-  const samples = writeSamples(folder);
-  const sample = (id) => join(folder, `${id}.bvh`);
+  const samples = writeSamples(join(folder, 'samples'));
+  const sample = (id) => join(folder, 'samples', `${id}.bvh`);
   const long = frames.map((count) => longClip(folder, sample(repeated), count));
   const sets = [
     { title: 'sample walk, 120 Hz', paths: [sample('walk-poser-120')] },

@@ -26,7 +26,7 @@ export async function measureReading(address, { title, paths }, native, runs) {
     keypose: speed(value.keypose),
     keyposeAndPoses: speed(value.keyposeAndPoses),
     three: speed(value.three),
-    times: spread(ratios(value.keypose, value.three)),
+    times: ratios(value.keypose, value.three),
     native: speed(together(paths, native, 'readMs')),
     bits,
   };

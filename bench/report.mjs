@@ -1,17 +1,27 @@
 // What was measured, for reading. In: the data of measure.mjs. Out: tables as text.
-import { table, told } from './statistics.mjs';
+import { digits, table, told } from './statistics.mjs';
 
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
 
 function readingTable(reading) {
-  const header = ['reading, MB/s', 'MB', 'Keypose', '… and poses', 'three.js', 'times', 'native'];
+  const header = [
+    'reading, MB/s',
+    'MB',
+    'Keypose',
+    '… and poses',
+    'three.js',
+    'times',
+    'quickest',
+    'native',
+  ];
   const rows = reading.map((one) => [
     one.title,
     megabytes(one.bytes),
     told(one.keypose),
     told(one.keyposeAndPoses),
     told(one.three),
-    told(one.times),
+    digits(one.times.ofMedians),
+    digits(one.times.ofQuickest),
     told(one.native),
   ]);
   return table(header, rows);

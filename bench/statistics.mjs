@@ -14,13 +14,17 @@ export function speeds(bytes, times_ms) {
   return times_ms.map((ms) => bytes / 1e6 / (ms / 1e3));
 }
 
-/** How many times shorter each run is than the one beside it. */
+/**
+ * How many times shorter some runs are than others: median by median, and the quickest by the quickest,
+ * which other work on the machine disturbs least.
+ */
 export function ratios(times_ms, others_ms) {
-  const count = Math.min(times_ms.length, others_ms.length);
-  return Array.from({ length: count }, (_, run) => others_ms[run] / times_ms[run]);
+  const [ours, theirs] = [spread(times_ms), spread(others_ms)];
+  return { ofMedians: theirs.median / ours.median, ofQuickest: theirs.min / ours.min };
 }
 
-function digits(value) {
+/** A number with one decimal below 10, none above. */
+export function digits(value) {
   return value < 10 ? value.toFixed(1) : value.toFixed(0);
 }
 

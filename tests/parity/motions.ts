@@ -1,10 +1,11 @@
 // The motions that parity is tested on: the clips with reference values, where the test data is there, and
-// the samples. Out: each with its name and bytes, as files for the command line.
+// all samples. Out: each with its name and bytes, as files for the command line.
 import { mkdtempSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import type { Core } from '../../web/src/engine/raw';
 import { dataFolder } from '../support/data';
+import { writeSamples } from './native';
 
 export interface MotionFile {
   readonly name: string;
@@ -28,13 +29,15 @@ function goldenClips(): MotionFile[] {
 
 function samples(core: Core): MotionFile[] {
   const folder = mkdtempSync(join(tmpdir(), 'keypose-parity-'));
-  return core.samples.map(({ id, fileName }) => {
-    const path = join(folder, fileName);
-    writeFileSync(path, core.sample(id) ?? '');
-    return fileAt(path, fileName);
-  });
+  writeSamples(folder);
+  for (const { id, fileName } of core.samples) {
+    writeFileSync(join(folder, fileName), core.sample(id) ?? '');
+  }
+  const names = readdirSync(folder).filter((name) => name.endsWith('.bvh'));
+  return names.sort().map((name) => fileAt(join(folder, name), name));
 }
 
+/** The samples offered by the core, all samples that the command writes, and the clips. */
 export function parityMotions(core: Core): MotionFile[] {
   return [...samples(core), ...goldenClips()];
 }

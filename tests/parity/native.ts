@@ -1,5 +1,5 @@
 // What the command line says of motions. Out: the line of JSON of each, without the file's name, which is a
-// path there; null, saying so, where the command has not been built.
+// path there; and the samples as it writes them.
 import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -18,17 +18,24 @@ export function withoutName(line: string): string {
   return line.trimEnd().replace(/^\{"file":"(?:[^"\\]|\\.)*",/, '{');
 }
 
+/** Writes all samples into a folder; none, saying so, where the command has not been built. */
+export function writeSamples(folder: string): void {
+  run(['samples', folder]);
+}
+
+/** The line of JSON of each motion; null, saying so, where the command has not been built. */
 export function nativeReports(motions: readonly MotionFile[]): string[] | null {
+  const text = run(['keyposes', '--json', ...motions.map(({ path }) => path)]);
+  return text === null ? null : text.trimEnd().split('\n').map(withoutName);
+}
+
+function run(args: readonly string[]): string | null {
   const command = commandPath();
   if (!existsSync(command)) {
     process.stderr.write(`skipped: no ${command} (cargo build --release -p keypose-cli)\n`);
     return null;
   }
-  const paths = motions.map(({ path }) => path);
-  const result = spawnSync(command, ['keyposes', '--json', ...paths], {
-    encoding: 'utf8',
-    maxBuffer: 2 ** 28,
-  });
+  const result = spawnSync(command, args, { encoding: 'utf8', maxBuffer: 2 ** 28 });
   if (result.status !== 0) throw new Error(`${command} failed: ${result.stderr}`);
-  return result.stdout.trimEnd().split('\n').map(withoutName);
+  return result.stdout;
 }
