@@ -8,7 +8,7 @@ const eslint = ['eslint/bin/eslint.js', '--max-warnings', '0', '.'];
 
 runSteps([
   { name: 'Rust format', command: ['cargo', 'fmt', '--all', '--check'] },
-  { name: 'clippy', command: [...clippy, '--all-targets', ...denyWarnings] },
+  { name: 'clippy', command: [...clippy, '--workspace', '--all-targets', ...denyWarnings] },
   { name: 'clippy for WebAssembly', command: [...clippy, ...wasm, ...denyWarnings] },
   {
     name: 'TypeScript and script format',
