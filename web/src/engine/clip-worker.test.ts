@@ -35,6 +35,7 @@ describe('clip worker', () => {
     expect(kindOf(await worker.analyse(1, ref))).toBe('unreadable');
     const again = { ...ref, readBefore: true };
     expect(kindOf(await worker.poses(2, again, 0, Int32Array.of(0)))).toBe('changed-on-disk');
+    expect(kindOf(await worker.unzip(3, unreadable()))).toBe('unreadable');
   });
 
   it('answers with poses of a dropped or unknown clip by reading it again', async () => {

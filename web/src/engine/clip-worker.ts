@@ -18,7 +18,7 @@ import type {
 import { type Core, CoreFailure } from './raw';
 import { slicesOf } from './slices';
 import { Cancelled, Jobs } from './turns';
-import type { ClipId, ClipResult, ExportKind, Progress, SampleInfo } from './types';
+import type { ClipId, ClipResult, ExportKind, Failure, Progress, SampleInfo } from './types';
 import { unzipMotions } from './unzip';
 import { ZipError } from './zip-directory';
 
@@ -173,14 +173,10 @@ export class ClipWorker implements WorkerApi {
   }
 
   private async failed(error: unknown, clip: ClipId | null): Promise<Outcome<never>> {
+    const failure = failureIn(error);
+    if (failure !== null) return { status: 'failed', failure, memory: await this.memory(clip) };
     if (error instanceof Cancelled) {
       return { status: 'cancelled', memory: await this.memory(clip) };
-    }
-    if (error instanceof CoreFailure) {
-      return { status: 'failed', failure: error.failure, memory: await this.memory(clip) };
-    }
-    if (error instanceof ZipError) {
-      return { status: 'failed', failure: failureOf(error.kind), memory: await this.memory(clip) };
     }
     // Anything else is the module's trap or a fault of this code: the worker is not to be trusted.
     return { status: 'trapped', message: String(error) };
@@ -264,6 +260,13 @@ export class ClipWorker implements WorkerApi {
 /** Tells settings apart. */
 function settingsKey({ decisions, options }: ClipRef): string {
   return JSON.stringify([decisions, options]);
+}
+
+/** The failure that an error stands for; null where it stands for none. */
+function failureIn(error: unknown): Failure | null {
+  if (error instanceof CoreFailure) return error.failure;
+  if (error instanceof ZipError) return failureOf(error.kind);
+  return error instanceof DOMException ? failureOf('unreadable') : null;
 }
 
 /** A Blob that cannot be read any more belongs to a file that was changed or removed. */

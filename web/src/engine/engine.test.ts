@@ -21,6 +21,20 @@ function sourceOf(bytes: BlobPart, name = 'walk.bvh'): ClipSource {
   return { name, folder: '', blob: new Blob([bytes]) };
 }
 
+/** A core whose module traps at files that begin with the letter. */
+function trappedBy(letter: string): Core {
+  const newClip = () => {
+    const clip = core.newClip();
+    const push = clip.push.bind(clip);
+    clip.push = (bytes) => {
+      if (bytes[0] === letter.charCodeAt(0)) throw new WebAssembly.RuntimeError('unreachable');
+      push(bytes);
+    };
+    return clip;
+  };
+  return { ...core, newClip };
+}
+
 const keyposeFrames = (result: ClipResult): number[] => {
   const found = result.performers[0]?.keyposes;
   return [...(found?.keyposes ?? [])].map((index) => found?.candidates[index] ?? -1);
@@ -132,6 +146,22 @@ describe('engine', () => {
     engine.destroy();
   });
 
+  it('names the file that kills its worker, and reads the others again', async () => {
+    const engine = createEngine({ spawn: spawnAround(trappedBy('T')), workers: 1 });
+    const result = await engine.open(1, sourceOf(walk), {}, {});
+    const before = await engine.poseRange(1, 0, 0, 3);
+    const deadly = engine.open(2, sourceOf('TRAP', 'deadly.bvh'), {}, {});
+    const waiting = engine.open(3, sourceOf(walk), {}, {});
+    await expect(deadly).rejects.toMatchObject({
+      fileName: 'deadly.bvh',
+      failure: { kind: 'worker-died', details: ['RuntimeError: unreachable'] },
+    });
+    expect((await waiting).frames).toBe(result.frames);
+    expect(await engine.poseRange(1, 0, 0, 3)).toEqual(before);
+    expect(await engine.exportText(1, 'keyposes-csv')).toContain('walk.bvh,0,1,');
+    engine.destroy();
+  });
+
   it('writes keyposes as JSON Lines and CSV with the hash of the file', async () => {
     const engine = engineOf();
     const result = await engine.open(1, sourceOf(walk, 'a "walk", 1.bvh'), {}, {});
@@ -157,6 +187,10 @@ describe('engine', () => {
     await expect(engine.poseRange(7, 0, 0, 1)).rejects.toMatchObject({
       failure: { kind: 'not-open' },
     });
+    await expect(engine.analyse(7, {}, {})).rejects.toMatchObject({ name: 'EngineError' });
+    const [first, second] = [1, 1].map((id) => engine.open(id, sourceOf(walk), {}, {}));
+    await expect(second).rejects.toThrow('clip 1 is open already');
+    expect((await first)?.frames).toBeGreaterThan(100);
     engine.close(7);
     engine.destroy();
   });

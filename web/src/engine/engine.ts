@@ -73,12 +73,12 @@ class WorkerEngine implements Engine {
   private readonly clips = new Map<ClipId, OpenClip>();
 
   constructor(settings: EngineSettings) {
-    this.pool = new Pool(settings.spawn, settings.workers);
+    this.pool = new Pool(settings.spawn, settings.workers, (slot) => this.forgetMotions(slot));
     this.memory = new MotionMemory(settings.motionBytes);
     this.pool.warm();
   }
 
-  open(
+  async open(
     id: ClipId,
     source: ClipSource,
     decisions: Decisions,
@@ -92,7 +92,7 @@ class WorkerEngine implements Engine {
     return this.firstAnalysis(clip, work);
   }
 
-  analyse(
+  async analyse(
     id: ClipId,
     decisions: Decisions,
     options: MethodOptions,
@@ -246,6 +246,11 @@ class WorkerEngine implements Engine {
         if (!wanted()) throw abortError();
       }
     }
+  }
+
+  /** The motions of a slot went with its worker. */
+  private forgetMotions(slot: number): void {
+    for (const clip of this.clips.values()) if (clip.slot === slot) this.memory.used(clip.id, 0);
   }
 
   private dropMotion(id: ClipId): void {

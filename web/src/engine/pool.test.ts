@@ -179,7 +179,8 @@ describe('pool', () => {
 
   it('blames the task whose worker traps, and no other', async () => {
     const { workers, spawn } = fakeWorkers();
-    const pool = new Pool(spawn, 1);
+    const replaced = vi.fn();
+    const pool = new Pool(spawn, 1, replaced);
     const [guilty, innocent] = [task(), task()];
     const failed = expect(pool.enqueue(guilty.made)).rejects.toMatchObject({
       failure: { kind: 'worker-died', details: ['unreachable'] },
@@ -189,6 +190,7 @@ describe('pool', () => {
     await failed;
     await lost;
     expect(workers[0]?.terminated).toBe(true);
+    expect(replaced.mock.calls).toEqual([[0]]);
     innocent.control.end(done('too late'));
     const next = task();
     const result = pool.enqueue(next.made);

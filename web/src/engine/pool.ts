@@ -95,14 +95,17 @@ interface Waiting {
 
 export class Pool {
   private readonly spawn: Spawn;
+  private readonly replaced: (slot: number) => void;
   private readonly slots: readonly Slot[];
   private readonly waiting: Waiting[] = [];
   private lastJob = 0;
   private uses = 0;
   private destroyed = false;
 
-  constructor(spawn: Spawn, size: number) {
+  /** `replaced` is told of each slot whose worker has ended. */
+  constructor(spawn: Spawn, size: number, replaced: (slot: number) => void = () => undefined) {
     this.spawn = spawn;
+    this.replaced = replaced;
     this.slots = Array.from({ length: size }, (_, index) => emptySlot(index));
   }
 
@@ -263,6 +266,7 @@ export class Pool {
     slot.worker?.terminate();
     const flights = [...slot.flights];
     Object.assign(slot, emptySlot(slot.index), { lastUsed: slot.lastUsed });
+    this.replaced(slot.index);
     for (const flight of flights) flight.settle(reason());
     if (!this.destroyed) this.dispatch();
   }
