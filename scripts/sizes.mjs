@@ -3,9 +3,7 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
-import { chromium } from '@playwright/test';
-import { preview } from 'vite';
-import { chromiumArguments, findChromium } from './chromium.mjs';
+import { withPage } from './page.mjs';
 import { root } from './process.mjs';
 
 const budgets_kb = { wasm: 300, firstScreen: 400 };
@@ -15,20 +13,16 @@ function measured(bytes) {
 }
 
 /** The file names, relative to dist/, that a browser loads before the page is idle. */
-async function firstScreenFiles() {
-  const server = await preview({ preview: { port: 0, host: '127.0.0.1' } });
-  const browser = await chromium.launch({
-    executablePath: findChromium(),
-    args: chromiumArguments,
+function firstScreenFiles() {
+  return withPage({}, async (page, address) => {
+    const files = new Set();
+    page.on('response', (response) => {
+      const { protocol, pathname } = new URL(response.url());
+      if (protocol === 'http:') files.add(pathname.slice(1) || 'index.html');
+    });
+    await page.goto(address, { waitUntil: 'networkidle' });
+    return [...files].sort();
   });
-  const page = await browser.newPage();
-  const origin = `http://127.0.0.1:${server.httpServer.address().port}`;
-  const files = new Set();
-  page.on('response', (response) => files.add(new URL(response.url()).pathname.slice(1)));
-  await page.goto(origin, { waitUntil: 'networkidle' });
-  await browser.close();
-  await server.close();
-  return [...files].map((file) => file || 'index.html').sort();
 }
 
 function report(name, size) {
