@@ -1,7 +1,8 @@
 // Everything a fresh clone lacks, step by step; each is skipped when it is done already.
-// In: a machine with Node and Rust; `--browser` for a Chromium too. Out: node_modules, the wasm target,
+// In: a machine with Node and Rust; `--browser` for a Chromium too, `--fonts` for the pictures' faces. Out: node_modules, the wasm target,
 // wasm-pack, the WebAssembly module; one line per step taken. Node built-ins only until `npm ci` ran.
 import { join } from 'node:path';
+import { ensureFonts } from './fonts.mjs';
 import { root, run } from './process.mjs';
 import { ensureTools, ensureWasmTarget, requireRust } from './rust.mjs';
 import { hashOf, isStamped, stamp } from './stamp.mjs';
@@ -36,6 +37,7 @@ try {
   ensureWasmTarget(say);
   ensureWasm(ensureTools(say), say);
   if (process.argv.includes('--browser')) (await import('./chromium.mjs')).ensureChromium(say);
+  if (process.argv.includes('--fonts')) ensureFonts(say);
   say('ready');
 } catch (error) {
   console.error(`set-up: ${error.message}`);
