@@ -9,6 +9,7 @@ import type { History } from './history';
 import type { Words } from './i18n/catalogue';
 import type { Given } from './intake';
 import { createLoader } from './loading';
+import { createOpener } from './opening';
 import { toastOfReport } from './report';
 import { patchClip, type Store } from './store';
 
@@ -46,19 +47,23 @@ class PageActions implements Actions {
   private readonly parts: ActionParts;
   private readonly analysis;
   private readonly loader;
+  private readonly opener;
 
   constructor(parts: ActionParts) {
     const { engine, store } = parts;
     this.parts = parts;
     this.analysis = createAnalysis(engine, store, (name, error) => this.tellError(name, error));
+    this.opener = createOpener(store, (id) => this.openClip(id));
     this.loader = createLoader({
       engine,
       store,
       analysis: this.analysis,
       now: () => performance.now(),
-      onReady: (id, batchSize) => this.openFirst(id, batchSize),
+      onStart: (id) => this.opener.started(id),
+      onSettled: (id, batchSize) => this.opener.settled(id, batchSize),
       onEnd: (report) => {
-        if (report.known.length === 1 && report.clips.length === 0) this.openClip(report.known[0]!);
+        this.opener.ended();
+        if (report.known.length === 1 && report.clips.length === 0) this.openClip(report.known[0]);
         const toast = toastOfReport(report, store, parts.words(), (id) => this.openClip(id));
         if (toast) store.toast.value = toast;
       },
@@ -164,11 +169,6 @@ class PageActions implements Actions {
       patchClip(store, id, { removed: true });
       if (wasOpen) this.openClip(neighbour?.id ?? null);
     });
-  }
-
-  /** A clip that has become ready opens by itself where none is open, or where it came alone. */
-  private openFirst(id: ClipId, batchSize: number): void {
-    if (this.parts.store.openClip.peek() === null || batchSize === 1) this.openClip(id);
   }
 
   private tellError(name: string, error: unknown): void {

@@ -5,6 +5,7 @@
  */
 import type { ClipId, ClipResult, Decisions, Engine, Progress } from '../engine/types';
 import { flatFigure } from '../figure/flat-figure';
+import type { Clip } from './clips';
 import { failureOf, isAbort } from './failure';
 import { patchClip, type Store } from './store';
 
@@ -17,61 +18,76 @@ export interface Analysis {
   readonly decide: (id: ClipId, decisions: Decisions) => void;
 }
 
-export function createAnalysis(
-  engine: Engine,
-  store: Store,
-  onError: (name: string, error: unknown) => void,
-): Analysis {
-  const timers = new Map<ClipId, ReturnType<typeof setTimeout>>();
-  const clipOf = (id: ClipId) => store.clips.peek()[id];
+type TellError = (name: string, error: unknown) => void;
 
-  const drawThumbnail = async (id: ClipId, { performers }: ClipResult): Promise<void> => {
-    const performer = performers[0];
-    if (!performer) return;
-    const pose = await engine.poses(id, 0, Int32Array.of(performer.thumbnailFrame));
-    if (clipOf(id)?.result?.performers[0] === performer) {
-      patchClip(store, id, { thumbnail: flatFigure(pose, performer, performer.sideYawRad) });
+export function createAnalysis(engine: Engine, store: Store, tellError: TellError): Analysis {
+  return new ClipAnalysis(engine, store, tellError);
+}
+
+class ClipAnalysis implements Analysis {
+  private readonly engine: Engine;
+  private readonly store: Store;
+  private readonly tellError: TellError;
+  private readonly timers = new Map<ClipId, ReturnType<typeof setTimeout>>();
+
+  constructor(engine: Engine, store: Store, tellError: TellError) {
+    this.engine = engine;
+    this.store = store;
+    this.tellError = tellError;
+  }
+
+  async open(id: ClipId, signal: AbortSignal): Promise<void> {
+    const clip = this.clipOf(id);
+    if (!clip) return;
+    const onProgress = ({ stage, done }: Progress): void =>
+      patchClip(this.store, id, { status: stage, progress: done });
+    try {
+      const work = { signal, onProgress };
+      this.accept(id, await this.engine.open(id, clip.source, clip.decisions, {}, work));
+    } catch (error) {
+      if (isAbort(error)) throw error;
+      patchClip(this.store, id, { status: 'failed', failure: failureOf(error) });
     }
-  };
+  }
 
-  const accept = (id: ClipId, result: ClipResult): void => {
-    patchClip(store, id, { status: 'ready', progress: 1, result, failure: null, outdated: false });
-    drawThumbnail(id, result).catch(() => patchClip(store, id, { thumbnail: null }));
-  };
+  decide(id: ClipId, decisions: Decisions): void {
+    patchClip(this.store, id, { decisions, outdated: true });
+    clearTimeout(this.timers.get(id));
+    this.timers.set(
+      id,
+      setTimeout(() => void this.analyse(id), settleMs),
+    );
+  }
 
-  const analyse = async (id: ClipId): Promise<void> => {
-    const clip = clipOf(id);
+  private async analyse(id: ClipId): Promise<void> {
+    const clip = this.clipOf(id);
     if (!clip) return;
     try {
-      const result = await engine.analyse(id, clip.decisions, {});
-      if (clipOf(id)?.decisions === clip.decisions) accept(id, result);
+      const result = await this.engine.analyse(id, clip.decisions, {});
+      if (this.clipOf(id)?.decisions === clip.decisions) this.accept(id, result);
     } catch (error) {
       if (isAbort(error)) return;
-      patchClip(store, id, { outdated: false });
-      onError(clip.source.name, error);
+      patchClip(this.store, id, { outdated: false });
+      this.tellError(clip.source.name, error);
     }
-  };
+  }
 
-  return {
-    async open(id, signal) {
-      const clip = clipOf(id);
-      if (!clip) return;
-      const onProgress = ({ stage, done }: Progress): void =>
-        patchClip(store, id, { status: stage, progress: done });
-      try {
-        accept(id, await engine.open(id, clip.source, clip.decisions, {}, { signal, onProgress }));
-      } catch (error) {
-        if (isAbort(error)) throw error;
-        patchClip(store, id, { status: 'failed', failure: failureOf(error) });
-      }
-    },
-    decide(id, decisions) {
-      patchClip(store, id, { decisions, outdated: true });
-      clearTimeout(timers.get(id));
-      timers.set(
-        id,
-        setTimeout(() => void analyse(id), settleMs),
-      );
-    },
-  };
+  private accept(id: ClipId, result: ClipResult): void {
+    const done = { status: 'ready', progress: 1, failure: null, outdated: false } as const;
+    patchClip(this.store, id, { ...done, result });
+    this.drawThumbnail(id, result).catch(() => patchClip(this.store, id, { thumbnail: null }));
+  }
+
+  private async drawThumbnail(id: ClipId, { performers }: ClipResult): Promise<void> {
+    const [performer] = performers;
+    if (!performer) return;
+    const pose = await this.engine.poses(id, 0, Int32Array.of(performer.thumbnailFrame));
+    if (this.clipOf(id)?.result?.performers[0] !== performer) return;
+    const thumbnail = flatFigure(pose, performer, performer.sideYawRad);
+    patchClip(this.store, id, { thumbnail });
+  }
+
+  private clipOf(id: ClipId): Clip | undefined {
+    return this.store.clips.peek()[id];
+  }
 }

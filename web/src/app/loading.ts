@@ -49,7 +49,9 @@ export interface LoaderParts {
   readonly store: Store;
   readonly analysis: Pick<Analysis, 'open'>;
   readonly now: () => number;
-  readonly onReady: (id: ClipId, batchSize: number) => void;
+  readonly onStart: (id: ClipId) => void;
+  /** The work on a clip has ended, well or not. */
+  readonly onSettled: (id: ClipId, batchSize: number) => void;
   readonly onEnd: (report: BatchReport) => void;
 }
 
@@ -150,6 +152,7 @@ class BatchLoader implements Loader {
     if (same) patchClip(store, same.id, { removed: true });
     const { id } = addClip(store, source);
     batch.clips.push(id);
+    this.parts.onStart(id);
     const work = this.work(batch, id).finally(() => batch.pending.delete(work));
     batch.pending.add(work);
     this.tell(batch);
@@ -158,7 +161,7 @@ class BatchLoader implements Loader {
   private async work(batch: Batch, id: ClipId): Promise<void> {
     try {
       await this.parts.analysis.open(id, batch.abort.signal);
-      this.parts.onReady(id, batch.clips.length);
+      this.parts.onSettled(id, batch.clips.length);
     } catch (error) {
       if (!isAbort(error)) throw error;
     }
@@ -182,7 +185,7 @@ class BatchLoader implements Loader {
   }
 
   private stateOf(batch: Batch): LoadingState {
-    const clips = batch.clips.map((id) => this.parts.store.clips.peek()[id]!);
+    const clips = batch.clips.map((id) => this.parts.store.clips.peek()[id]);
     const done = clips.filter((clip) => !isBusy(clip));
     const bytes = clips.reduce((sum, { source }) => sum + source.blob.size, 0);
     const bytesDone = done.reduce((sum, { source }) => sum + source.blob.size, 0);
@@ -200,7 +203,7 @@ class BatchLoader implements Loader {
   private end(batch: Batch): void {
     const { store, onEnd } = this.parts;
     this.batch = null;
-    const clips = batch.clips.map((id) => store.clips.peek()[id]!);
+    const clips = batch.clips.map((id) => store.clips.peek()[id]);
     const unread = clips.filter(isBusy);
     together(() => {
       for (const { id } of unread) patchClip(store, id, { removed: true });

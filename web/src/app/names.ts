@@ -9,7 +9,7 @@ function numbered(clips: readonly Clip[]): (readonly [ClipId, string])[] {
 function qualified(namesakes: readonly Clip[]): (readonly [ClipId, string])[] {
   const byFolder = groupBy(namesakes, ({ source }) => source.folder);
   return [...byFolder].flatMap(([folder, clips]) => {
-    if (clips.length === 1) return [[clips[0]!.id, folder] as const];
+    if (clips.length === 1) return [[clips[0].id, folder] as const];
     return numbered(clips).map(([id, number]) => [id, `${folder} ${number}`.trim()] as const);
   });
 }

@@ -75,7 +75,7 @@ function writtenState() {
     playback: signal(stillPlayback),
     hoverFrame: signal<number | null>(null),
     view: signal<ViewPreset | null>('side'),
-    follow: signal(false),
+    follow: signal(true),
     loading: signal<LoadingState | null>(null),
     toast: signal<Toast | null>(null),
     helpOpen: signal(false),

@@ -10,6 +10,8 @@ export interface IconButton {
   readonly disabled?: boolean;
   /** Given for buttons that stay on or off. */
   readonly pressed?: boolean;
+  /** Given for buttons that show and hide a part of the page. */
+  readonly expanded?: boolean;
   /** As `aria-keyshortcuts` has it. */
   readonly keys?: string;
   /** The key as the tip shows it. */
@@ -23,6 +25,7 @@ export function iconButton(props: IconButton): TemplateResult {
     class="icon-button ${props.small ? 'small' : ''} ${props.pressed ? 'on' : ''}"
     aria-label=${props.label}
     aria-pressed=${props.pressed === undefined ? nothing : String(props.pressed)}
+    aria-expanded=${props.expanded === undefined ? nothing : String(props.expanded)}
     aria-keyshortcuts=${props.keys ?? nothing}
     data-tip=${props.label}
     data-key=${props.keyText ?? nothing}

@@ -8,7 +8,8 @@ class StyleDirective extends Directive {
     if (part.type !== PartType.ELEMENT) throw new Error('styled() stands inside a tag');
   }
 
-  override render(_properties: Readonly<Record<string, string>>): typeof nothing {
+  override render(properties: Readonly<Record<string, string>>): typeof nothing {
+    void properties;
     return nothing;
   }
 
@@ -28,7 +29,8 @@ export const styled = directive(StyleDirective);
 class NodeDirective extends Directive {
   private key: unknown = undefined;
 
-  override render(_key: unknown, _draw: (element: Element) => void): typeof nothing {
+  override render(...parameters: [key: unknown, draw: (element: Element) => void]): typeof nothing {
+    void parameters;
     return nothing;
   }
 

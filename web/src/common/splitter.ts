@@ -13,28 +13,19 @@ export interface Splitter {
 
 const keyStepPx = 16;
 
-export function installSplitter(
-  splitter: Splitter,
-  preferences: Preferences,
-): { readonly element: HTMLElement } {
-  const { panel, edge, property, usual, least, most } = splitter;
+function createHandle({ edge, least, most }: Splitter): HTMLElement {
   const handle = document.createElement('div');
   handle.className = `splitter ${edge}`;
   handle.tabIndex = 0;
-  const attributes = {
-    role: 'separator',
-    'aria-orientation': 'vertical',
-    'aria-valuemin': String(least),
-    'aria-valuemax': String(most),
-  };
-  for (const [name, value] of Object.entries(attributes)) handle.setAttribute(name, value);
+  handle.setAttribute('role', 'separator');
+  handle.setAttribute('aria-orientation', 'vertical');
+  handle.setAttribute('aria-valuemin', String(least));
+  handle.setAttribute('aria-valuemax', String(most));
+  return handle;
+}
 
-  const set = (width: number): void => {
-    const within = Math.round(Math.min(Math.max(width, least), most));
-    document.documentElement.style.setProperty(property, `${within}px`);
-    handle.setAttribute('aria-valuenow', String(within));
-    preferences.set(property, String(within));
-  };
+function listen(handle: HTMLElement, splitter: Splitter, set: (width: number) => void): void {
+  const { panel, edge, usual } = splitter;
   const outward = edge === 'right' ? 1 : -1;
   handle.addEventListener('pointerdown', (event) => {
     if (event.button === 0) handle.setPointerCapture(event.pointerId);
@@ -49,9 +40,23 @@ export function installSplitter(
     const step = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
     if (!step) return;
     event.preventDefault();
-    set(panel.clientWidth + step * outward * keyStepPx);
+    set(panel.offsetWidth + step * outward * keyStepPx);
   });
+}
+
+/** Puts the handle on the panel; the width is remembered. */
+export function installSplitter(splitter: Splitter, preferences: Preferences): HTMLElement {
+  const { panel, property, usual, least, most } = splitter;
+  const handle = createHandle(splitter);
+  const set = (width: number): void => {
+    const within = Math.round(Math.min(Math.max(width, least), most));
+    document.documentElement.style.setProperty(property, `${within}px`);
+    handle.setAttribute('aria-valuenow', String(within));
+    preferences.set(property, String(within));
+  };
   const stored = Number(preferences.get(property) ?? Number.NaN);
   set(Number.isFinite(stored) ? stored : usual);
-  return { element: handle };
+  listen(handle, splitter, set);
+  panel.append(handle);
+  return handle;
 }

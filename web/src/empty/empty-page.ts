@@ -24,7 +24,7 @@ const sampleNames: Readonly<Record<SampleInfo['motion'], MessageKey>> = {
 
 const cardWidth = 500;
 const cardHeight = 66;
-const cardBodyPx = 56;
+const cardBodyPx = 47;
 const mostCardFigures = 8;
 
 function drawCard(svg: Element, { figures }: SamplePicture): void {

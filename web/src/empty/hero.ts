@@ -9,14 +9,17 @@ import { spread } from './spread';
 const width = 1080;
 const height = 300;
 const sidePadding = 90;
-const baseY = height - 8;
-const curveHeight = 86;
+const baseY = height - 26;
+const curveHeight = 72;
 const groundY = 176;
 const bodyPx = 108;
 const figureDistance = 92;
 /** More would stand in each other's way. */
 const mostFigures = 10;
 const dotRadius = 5;
+/** Where the curve's name stands. */
+const speedX = 40;
+const speedWidth = 40;
 
 interface Place {
   readonly index: number;
@@ -31,6 +34,8 @@ interface Layout {
   readonly curve: string;
   readonly area: string;
   readonly places: readonly Place[];
+  /** Just above the curve where its name stands. */
+  readonly speedY: number;
 }
 
 function layout({ keyposes, frames }: SamplePicture): Layout {
@@ -43,13 +48,15 @@ function layout({ keyposes, frames }: SamplePicture): Layout {
     baseY -
     ((keyposes.speed[frame - keyposes.firstFrame] ?? 0) / keyposes.maximumSpeed) * curveHeight;
   const points = Array.from(keyposes.speed.keys(), (index) => index + keyposes.firstFrame)
-    .filter((frame) => x(frame) > -4 && x(frame) < width + 4)
-    .map((frame) => `${x(frame).toFixed(1)} ${y(frame).toFixed(1)}`);
+    .map((frame) => ({ x: x(frame), y: y(frame) }))
+    .filter((point) => point.x > -4 && point.x < width + 4);
+  const named = points.filter((point) => point.x > speedX && point.x < speedX + speedWidth);
   const figureX = spread(shown.map(x), figureDistance, sidePadding - 10, width - sidePadding + 10);
-  const curve = `M${points.join('L')}`;
+  const curve = `M${points.map((point) => `${point.x.toFixed(1)} ${point.y.toFixed(1)}`).join('L')}`;
   return {
     curve,
-    area: `${curve}V${baseY}H${points[0]?.split(' ')[0] ?? 0}Z`,
+    area: `${curve}V${baseY}H${points[0]?.x ?? 0}Z`,
+    speedY: Math.min(baseY, ...named.map((point) => point.y)) - 8,
     places: shown.map((frame, index) => ({
       index,
       x: x(frame),
@@ -73,7 +80,7 @@ function drawFigures(group: Element, picture: SamplePicture, places: readonly Pl
 }
 
 function content(picture: SamplePicture, { t }: Words): TemplateResult {
-  const { curve, area, places } = layout(picture);
+  const { curve, area, places, speedY } = layout(picture);
   const [first] = places;
   return svg`
     <defs>
@@ -86,8 +93,8 @@ function content(picture: SamplePicture, { t }: Words): TemplateResult {
     ${places.map(({ x, y }) => svg`<circle class="hero-dot" cx=${x} cy=${y} r=${dotRadius} />`)}
     ${
       first
-        ? svg`<text class="hero-label" x="44" y=${baseY - 36}>${t('empty.speed')}</text>
-        <text class="hero-keypose" x=${first.x + 12} y=${Math.min(first.y + 18, baseY - 3)}>${t('empty.settles')}</text>`
+        ? svg`<text class="hero-label" x=${speedX} y=${speedY}>${t('empty.speed')}</text>
+        <text class="hero-keypose" x=${first.x - dotRadius} y=${baseY + 20}>${t('empty.settles')}</text>`
         : nothing
     }
     <g ${drawn(picture, (group) => drawFigures(group, picture, places))}></g>

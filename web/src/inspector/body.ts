@@ -28,6 +28,11 @@ function jointRow({ t }: Words, joint: BodyJoint, label: string): TemplateResult
 function jointTable(words: Words, { body, skeleton }: PerformerResult): TemplateResult {
   const { t } = words;
   return html`<table class="joints">
+    <colgroup>
+      <col class="joint-role" />
+      <col />
+      <col class="joint-found" />
+    </colgroup>
     <thead class="spoken">
       <tr>
         <th scope="col">${t('body.role')}</th>

@@ -109,7 +109,8 @@ function choice(
 function rateField(props: RecordingProps): TemplateResult {
   const { t } = props.words;
   const { frameTimeS } = props.result;
-  const value = Math.round(1e4 / frameTimeS) / 1e4;
+  // As files write it: eight or so digits of 1/120 give 120.0005.
+  const value = Math.round(100 / frameTimeS) / 100;
   return numberField(props, {
     key: 'frameRateHz',
     value,

@@ -16,10 +16,10 @@ export function followOpenClip(
     const clip = store.openClip.value;
     const result = clip?.result ?? emptyClip;
     const id = clip?.result ? clip.id : null;
+    engine.keep(clip?.id ?? null);
     const { frames, frameTimeS, frame } = playback.clock;
     if (id !== shownId) {
       playback.load(result, 0);
-      engine.keep(id);
     } else if (frames !== result.frames || frameTimeS !== result.frameTimeS) {
       playback.load(result, frame);
     }

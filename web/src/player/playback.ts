@@ -11,7 +11,10 @@ export interface Playback {
   /** The clock of the open clip. */
   readonly clock: Clock;
   /** Starts the clock of another clip, or of the same one at another rate, at a frame. */
-  readonly load: (clip: { readonly frames: number; readonly frameTimeS: number }, frame: number) => void;
+  readonly load: (
+    clip: { readonly frames: number; readonly frameTimeS: number },
+    frame: number,
+  ) => void;
   readonly toggle: () => void;
   readonly pause: () => void;
   readonly seek: (frame: number) => void;

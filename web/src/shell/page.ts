@@ -1,4 +1,5 @@
 /** The whole page: every place filled, and the few things that concern all of them. */
+import { effect } from '@preact/signals-core';
 import { follow, mount } from '../common/mount';
 import { installSplitter } from '../common/splitter';
 import type { Context } from '../app/context';
@@ -15,6 +16,7 @@ import { notices } from './toasts';
 import { topBar, type OpenClipPlace, type TopBarProps } from './top-bar';
 
 export function mountPage(places: Places, context: Context, settings: StageSettings): void {
+  wearTheTheme(context);
   mountTopBar(places, context);
   mountEmpty(places.empty, context);
   mountLibrary(places.library, context);
@@ -153,9 +155,8 @@ function mountSplitters(places: Places, { language, preferences }: Context): voi
     },
   ] as const;
   for (const { key, ...splitter } of splitters) {
-    const { element } = installSplitter(splitter, preferences);
-    splitter.panel.append(element);
-    follow(() => element.setAttribute('aria-label', language.words.value.t(key)));
+    const handle = installSplitter(splitter, preferences);
+    follow(() => handle.setAttribute('aria-label', language.words.value.t(key)));
   }
 }
 
@@ -184,10 +185,16 @@ function showWhatIsDue(places: Places, { store, panels, language }: Context): vo
   });
 }
 
-function speakTheLanguage({ store, language, theme }: Context): void {
+/** At once and before all else: the stage and the canvases read their colours from it. */
+function wearTheTheme({ theme }: Context): void {
+  effect(() => {
+    document.documentElement.dataset['theme'] = theme.theme.value;
+  });
+}
+
+function speakTheLanguage({ store, language }: Context): void {
   follow(() => {
     document.documentElement.lang = language.words.value.language;
-    document.documentElement.dataset['theme'] = theme.theme.value;
     const name = store.openClip.value?.source.name;
     document.title = name ? `${name} · Keypose` : 'Keypose';
   });

@@ -88,7 +88,7 @@ export function topBar(props: TopBarProps): TemplateResult {
     study,
   } = props;
   const panel = (name: IconName, label: string, on: boolean, onPress: () => void): TemplateResult =>
-    iconButton({ name, label, pressed: on, onPress });
+    iconButton({ name, label, expanded: on, onPress });
   return html`
     <div class="brand">${mark()}<span>Keypose</span></div>
     ${study?.panels ? panel('panel-left', t('top.library'), study.libraryOpen, props.onLibrary) : nothing}

@@ -1,12 +1,12 @@
 /** The stage on the page: the open clip's performers on it, the words over it, the caption spoken when at rest. */
 import { computed, signal } from '@preact/signals-core';
 import type { Context } from '../app/context';
-import type { Store } from '../app/store';
+import type { Store, ViewPreset } from '../app/store';
 import { follow, mount } from '../common/mount';
 import { createPoseSource } from '../engine/pose-source';
 import { Stage, type StageFailure, type StagePerformer } from '../stage';
 import { captionOf, type Caption } from './caption';
-import { stageOverlay } from './stage-overlay';
+import { stageOverlay, type StageOverlayProps } from './stage-overlay';
 
 export interface StagePlaces {
   readonly stage: HTMLElement;
@@ -76,11 +76,13 @@ function failure({ store, language }: Context) {
   return { name: clip.source.name, place, reason: language.words.value.failure(clip.failure) };
 }
 
-export function mountStage(places: StagePlaces, context: Context, settings: StageSettings): void {
-  const { store, language, theme } = context;
-  const trouble = signal<Trouble>(settings.off ? 'off' : null);
-  const caption = createCaption(context);
-  const stage = new Stage(places.figure, {
+function createStage(
+  place: HTMLElement,
+  { store, theme }: Context,
+  settings: StageSettings,
+  onTrouble: (trouble: Trouble) => void,
+): Stage {
+  return new Stage(place, {
     performers: [],
     theme: theme.theme.peek(),
     view: store.view.peek(),
@@ -90,44 +92,56 @@ export function mountStage(places: StagePlaces, context: Context, settings: Stag
     onViewChange: (view) => {
       store.view.value = view;
     },
-    onFailure: (reason) => {
-      trouble.value = reason;
-    },
-    onRecovery: () => {
-      trouble.value = null;
-    },
+    onFailure: onTrouble,
+    onRecovery: () => onTrouble(null),
+  });
+}
+
+export function mountStage(places: StagePlaces, context: Context, settings: StageSettings): void {
+  const { store, language, theme } = context;
+  const trouble = signal<Trouble>(settings.off ? 'off' : null);
+  const caption = createCaption(context);
+  const stage = createStage(places.figure, context, settings, (next) => {
+    trouble.value = next;
   });
   showScene(stage, context);
   follow(() => {
     const label = language.words.value.t('stage.label');
+    const look = { theme: theme.theme.value, view: store.view.value, follow: store.follow.value };
     places.stage.setAttribute('aria-label', label);
-    stage.update({
-      theme: theme.theme.value,
-      view: store.view.value,
-      follow: store.follow.value,
-      label,
-    });
+    stage.update({ ...look, label });
   });
+  const onView = (view: ViewPreset): void => {
+    store.view.value = view;
+    stage.frameView(view);
+  };
   mount(places.overlay, () =>
-    stageOverlay({
-      words: language.words.value,
-      caption: caption.value,
-      metric: store.openPerformer.value?.unit != null,
-      drawing: trouble.value === null,
-      sentence: sentence(context, trouble.value),
-      failure: failure(context),
-      view: store.view.value,
-      follow: store.follow.value,
-      onView: (view) => {
-        store.view.value = view;
-        stage.frameView(view);
-      },
-      onFollow: () => {
-        store.follow.value = !store.follow.peek();
-      },
-    }),
+    stageOverlay(overlayProps(context, caption.value, trouble.value, onView)),
   );
   speak(places.spoken, store, caption);
+}
+
+function overlayProps(
+  context: Context,
+  caption: Caption | null,
+  trouble: Trouble,
+  onView: (view: ViewPreset) => void,
+): StageOverlayProps {
+  const { store, language } = context;
+  return {
+    words: language.words.value,
+    caption,
+    metric: (store.openPerformer.value?.unit ?? null) !== null,
+    drawing: trouble === null,
+    sentence: sentence(context, trouble),
+    failure: failure(context),
+    view: store.view.value,
+    follow: store.follow.value,
+    onView,
+    onFollow: () => {
+      store.follow.value = !store.follow.peek();
+    },
+  };
 }
 
 function showScene(stage: Stage, context: Context): void {

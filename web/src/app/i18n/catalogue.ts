@@ -61,7 +61,8 @@ export function wordsFor(language: Language): Words {
     format,
     t: (key, ...values) => fill(form(book.messages[key], values), values.map(text)),
     note: ({ kind, details }) => fill(book.notes[kind] ?? [kind, ...details].join(' '), details),
+    // Why a clip has no keyposes is told as a failure, in the words of the note.
     failure: ({ kind, details }) =>
-      fill(book.failures[kind] ?? [kind, ...details].join(' '), details),
+      fill(book.failures[kind] ?? book.notes[kind] ?? [kind, ...details].join(' '), details),
   };
 }

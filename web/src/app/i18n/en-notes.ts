@@ -1,4 +1,4 @@
-/** Notes and failures in English by kind, word for word as the core tells them. */
+/** Notes and failures in English by kind, those of the core word for word as it tells them. */
 export const englishNotes: Readonly<Record<string, string>> = {
   encoding: 'The text is {0}, not UTF-8; names were decoded from it.',
   'unnamed-joint': 'A joint has no name; it is called {0}.',
@@ -9,6 +9,7 @@ export const englishNotes: Readonly<Record<string, string>> = {
   'alternating-rows':
     'Rows are as wide as one performer and there are {0} for each frame; they were taken in turns.',
   'frames-without-motion': '“Frames:” stands without MOTION; the motion was taken to start here.',
+  'missing-motion': 'MOTION is missing; the motion was taken to start at the first row of numbers.',
   'motion-without-frames': 'MOTION has no “Frames:” line; the rows present were counted ({0}).',
   'frame-count': '“Frames:” says {0}, {1} complete rows are present; the rows present were used.',
   'incomplete-last-row': 'The last row has {0} of {1} values; it was left out.',
@@ -33,6 +34,7 @@ export const englishNotes: Readonly<Record<string, string>> = {
   'missing-brace': 'A closing brace is missing; the hierarchy was closed at {0}.',
   'missing-hierarchy': 'The keyword HIERARCHY is missing; the file was read from its first ROOT.',
   'unknown-line': 'A line was not understood and ignored: {0}',
+  'further-notes': '{0} more notes of the kind “{1}” were left out.',
   'no-motion': 'The file has no motion; only the skeleton is shown.',
   'too-short': '{0} frames are too few to find keyposes.',
   'not-human':
@@ -44,6 +46,8 @@ export const englishNotes: Readonly<Record<string, string>> = {
     "The End Sites of left and right differ too much; none of this file's End Sites was used.",
   'shifted-arm-names':
     'The names of the arms are shifted by one joint; the shape was followed instead.',
+  'shifted-leg-names':
+    'The names of the legs are shifted by one joint; the shape was followed instead.',
   'hips-together':
     'The hips lie together in the OFFSETs; their mean places in the motion were used.',
   'rest-is-no-body':
@@ -92,10 +96,18 @@ export const englishFailures: Readonly<Record<string, string>> = {
   'too-many-values': 'The file has more than {0} values, the limit. Cut it into shorter motions.',
   'out-of-memory':
     'The memory does not suffice for {0} more values. Close other motions, or cut this one into shorter ones.',
+  'archive-damaged': 'The archive is damaged. Download or pack it again.',
+  'archive-entry-encrypted': 'This file of the archive is encrypted. Unpack it first.',
+  'archive-entry-method':
+    'This file of the archive is packed in a way that cannot be opened here. Unpack it first.',
+  'archive-too-large': 'The archive is too large to be opened here. Unpack it first.',
+  'archive-without-motions': 'The archive holds no BVH files.',
   'changed-on-disk': 'The file has changed on disk since it was opened. Drop it again.',
-  unreadable: 'The browser could not read the file. Drop it again.',
+  'engine-unavailable': 'The analysis could not be started: {0}',
+  'no-such-sample': 'There is no sample {0}.',
+  'not-an-archive': 'This is not a .zip archive.',
+  'not-open': 'The clip has been closed.',
+  'not-readable': 'The browser could not read the file. Drop it again.',
   'worker-died': 'The work on this file ended unexpectedly; the other files are not affected.',
-  'not-a-zip': 'This is not a .zip archive that can be opened.',
-  'zip-encrypted': 'The archive is encrypted. Unpack it first.',
   internal: 'Something unexpected went wrong: {0}',
 };

@@ -30,6 +30,9 @@ export const japaneseNotes: Readonly<Record<string, string>> = {
   'missing-brace': '閉じ括弧が足りません。{0} で階層を閉じました。',
   'missing-hierarchy': 'HIERARCHY の語がありません。最初の ROOT から読みました。',
   'unknown-line': '理解できない行を無視しました：{0}',
+  'missing-motion': 'MOTION がありません。最初の数の行から動きが始まるとしました。',
+  'further-notes': '種類「{1}」の注記があと {0} 件ありますが、省きました。',
+  'shifted-leg-names': '脚の名前が関節 1 つ分ずれています。形の方に従いました。',
   'no-motion': 'ファイルに動きがありません。骨格だけを示します。',
   'too-short': '{0} フレームでは短すぎてキーポーズを探せません。',
   'not-human':
@@ -80,10 +83,18 @@ export const japaneseFailures: Readonly<Record<string, string>> = {
   'too-many-values': '値が上限の {0} 個を超えています。短い動きに分けてください。',
   'out-of-memory':
     'あと {0} 個の値のためのメモリーが足りません。ほかの動きを閉じるか、短い動きに分けてください。',
+  'archive-damaged': '書庫が壊れています。もう一度ダウンロードするか、作り直してください。',
+  'archive-entry-encrypted': '書庫の中のこのファイルは暗号化されています。先に展開してください。',
+  'archive-entry-method':
+    '書庫の中のこのファイルの圧縮方式はここでは開けません。先に展開してください。',
+  'archive-too-large': '書庫が大きすぎてここでは開けません。先に展開してください。',
+  'archive-without-motions': '書庫に BVH ファイルがありません。',
   'changed-on-disk': '開いた後にファイルが変わりました。もう一度ドロップしてください。',
-  unreadable: 'ブラウザーがファイルを読めませんでした。もう一度ドロップしてください。',
+  'engine-unavailable': '解析を始められませんでした：{0}',
+  'no-such-sample': 'サンプル {0} はありません。',
+  'not-an-archive': '.zip の書庫ではありません。',
+  'not-open': 'クリップは閉じられています。',
+  'not-readable': 'ブラウザーがファイルを読めませんでした。もう一度ドロップしてください。',
   'worker-died': 'このファイルの処理が思いがけず終わりました。ほかのファイルに影響はありません。',
-  'not-a-zip': '開ける .zip ではありません。',
-  'zip-encrypted': '暗号化された .zip です。先に展開してください。',
   internal: '思いがけない問題が起きました：{0}',
 };

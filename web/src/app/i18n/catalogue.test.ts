@@ -1,0 +1,81 @@
+import { readFileSync } from 'node:fs';
+import { expect, test } from 'vitest';
+import { ENGINE_FAILURES } from '../../engine/failures';
+import { fill, wordsFor, type Message } from './catalogue';
+import { en } from './en';
+import { englishFailures, englishNotes } from './en-notes';
+import { ja } from './ja';
+import { japaneseFailures, japaneseNotes } from './ja-notes';
+
+const places = (text: string): string[] => [...new Set(text.match(/\{\d\}/g) ?? [])].sort();
+const forms = (message: Message): string[] =>
+  typeof message === 'string' ? [message] : [message.one, message.other];
+
+/** Kinds and sentences as the core's macro lists them. */
+function coreSentences(file: string): Record<string, string> {
+  const source = readFileSync(
+    new URL(`../../../../crates/motion/src/${file}`, import.meta.url),
+    'utf8',
+  );
+  const lines = source.matchAll(/^ {4}\w+ "([\w-]+)" "((?:[^"\\]|\\.)*)";/gm);
+  return Object.fromEntries([...lines].map(([, kind, text]) => [kind, text]));
+}
+
+test('Japanese has every key of English, and no other', () => {
+  expect(Object.keys(ja).sort()).toEqual(Object.keys(en).sort());
+});
+
+test('both languages name the same places', () => {
+  for (const [key, message] of Object.entries(en)) {
+    const wanted = places(forms(message).join(''));
+    expect(places(forms(ja[key as keyof typeof en]).join('')), key).toEqual(wanted);
+  }
+});
+
+test('no sentence is empty', () => {
+  for (const book of [en, ja, englishNotes, englishFailures, japaneseNotes, japaneseFailures]) {
+    for (const message of Object.values(book)) {
+      expect(forms(message as Message).every((text) => text.trim() !== '')).toBe(true);
+    }
+  }
+});
+
+test('notes are those of the core, word for word', () => {
+  expect(englishNotes).toEqual(coreSentences('note.rs'));
+});
+
+test('reading failures are those of the core, word for word', () => {
+  expect(englishFailures).toMatchObject(coreSentences('bvh/error.rs'));
+});
+
+test('every failure of the engine has a sentence', () => {
+  for (const kind of ENGINE_FAILURES) expect(englishFailures, kind).toHaveProperty([kind]);
+});
+
+test('Japanese tells every note and failure, with the same places', () => {
+  for (const [english, japanese] of [
+    [englishNotes, japaneseNotes],
+    [englishFailures, japaneseFailures],
+  ] as const) {
+    expect(Object.keys(japanese).sort()).toEqual(Object.keys(english).sort());
+    for (const [kind, text] of Object.entries(english)) {
+      expect(places(japanese[kind]!), kind).toEqual(places(text));
+    }
+  }
+});
+
+test('what a detail holds stays as it is', () => {
+  expect(fill('{0} before {1}', ['{1}', 'x'])).toBe('{1} before x');
+});
+
+test('the form goes by the first number', () => {
+  const { t } = wordsFor('en');
+  expect(t('library.count', 1)).toBe('1 clip');
+  expect(t('library.count', 1200)).toBe('1,200 clips');
+  expect(wordsFor('ja').t('library.count', 2)).toBe('2 件');
+});
+
+test('an unknown kind shows itself', () => {
+  const failure = { kind: 'brand-new', line: null, column: null, details: ['x'] };
+  expect(wordsFor('en').failure(failure)).toBe('brand-new x');
+});

@@ -1,0 +1,67 @@
+import { expect, test } from 'vitest';
+import { createLoader, type BatchReport } from './loading';
+import { createStore, patchClip } from './store';
+
+function setUp(open: (id: number, signal: AbortSignal) => Promise<void> = () => Promise.resolve()) {
+  const store = createStore();
+  const reports: BatchReport[] = [];
+  const loader = createLoader({
+    engine: { unzip: () => Promise.reject(new Error('no')) },
+    store,
+    analysis: {
+      open: async (id, signal) => {
+        await open(id, signal);
+        patchClip(store, id, { status: 'ready' });
+      },
+    },
+    now: () => 0,
+    onStart: () => undefined,
+    onSettled: () => undefined,
+    onEnd: (report) => void reports.push(report),
+  });
+  return { store, loader, reports };
+}
+
+const file = (name: string, content = 'x') => new File([content], name, { lastModified: 1 });
+const source = (name: string, folder = '') => ({ name, folder, blob: file(name) });
+
+test('everything given becomes a clip and one report', async () => {
+  const { store, loader, reports } = setUp();
+  await Promise.all([loader.add([source('a.bvh')]), loader.add([source('b.bvh')])]);
+  expect(store.present.value.map((clip) => clip.source.name)).toEqual(['a.bvh', 'b.bvh']);
+  expect(reports.at(-1)?.failed).toEqual([]);
+  expect(store.loading.value).toBeNull();
+});
+
+test('the same file twice is one clip, its namesake from another folder is another', async () => {
+  const { store, loader, reports } = setUp();
+  await loader.add([source('a.bvh'), source('a.bvh'), source('a.bvh', 'other')]);
+  expect(store.present.value).toHaveLength(2);
+  expect(reports[0]?.known).toEqual([0]);
+});
+
+test('a cancel takes out what has not been read and keeps what has', async () => {
+  const waits = (signal: AbortSignal): Promise<void> =>
+    new Promise((_, reject) => {
+      signal.addEventListener('abort', () => reject(new DOMException('', 'AbortError')));
+    });
+  const { store, loader, reports } = setUp((id, signal) =>
+    id === 0 ? Promise.resolve() : waits(signal),
+  );
+  const done = loader.add([source('a.bvh'), source('b.bvh')]);
+  await Promise.resolve();
+  loader.cancel();
+  await done;
+  expect(reports[0]?.cancelled).toBe(true);
+  expect(store.present.value.map((clip) => clip.source.name)).toEqual(['a.bvh']);
+});
+
+test('what is no motion is told, what is a bad archive too', async () => {
+  const { loader, reports } = setUp();
+  await loader.take([
+    { file: file('notes.txt'), folder: '' },
+    { file: file('set.zip'), folder: '' },
+  ]);
+  expect(reports[0]?.others).toEqual(['notes.txt']);
+  expect(reports[0]?.archives[0]?.failure.kind).toBe('internal');
+});

@@ -1,0 +1,19 @@
+import { expect, test } from 'vitest';
+import { rowWindow, scrollToRow } from './row-window';
+
+test('of thousands of rows only those in sight and a margin exist', () => {
+  const { first, end } = rowWindow(3000, 44, 44_000, 880);
+  expect(first).toBe(992);
+  expect(end).toBe(1028);
+});
+
+test('the window never leaves the list', () => {
+  expect(rowWindow(3, 44, 0, 800)).toEqual({ first: 0, end: 3 });
+  expect(rowWindow(0, 44, 500, 800)).toEqual({ first: 0, end: 0 });
+});
+
+test('a row comes into view with the least movement', () => {
+  expect(scrollToRow(5, 44, 0, 800)).toBe(0);
+  expect(scrollToRow(30, 44, 0, 800)).toBe(31 * 44 - 800);
+  expect(scrollToRow(2, 44, 500, 800)).toBe(88);
+});

@@ -1,0 +1,44 @@
+import { expect, test } from 'vitest';
+import { commandFor, type KeyFocus, type KeyPress } from './keys';
+
+const press = (key: string, modifiers: Partial<KeyPress> = {}): KeyPress => ({
+  key,
+  shiftKey: false,
+  ctrlKey: false,
+  metaKey: false,
+  altKey: false,
+  ...modifiers,
+});
+const command = (key: string, modifiers?: Partial<KeyPress>, focus: KeyFocus = 'page') =>
+  commandFor(press(key, modifiers), focus);
+
+test('every key of playback has its command', () => {
+  expect(command(' ')).toBe('play');
+  expect(command('ArrowLeft')).toBe('frame-back');
+  expect(command('ArrowRight', { shiftKey: true })).toBe('tenth-on');
+  expect(command('k')).toBe('next-keypose');
+  expect(command('K', { shiftKey: true })).toBe('previous-keypose');
+  expect(command('End')).toBe('last-frame');
+  expect(command('+', { shiftKey: true })).toBe('faster');
+  expect(command('?', { shiftKey: true })).toBe('help');
+});
+
+test('undo and redo, with either modifier', () => {
+  expect(command('z', { ctrlKey: true })).toBe('undo');
+  expect(command('Z', { metaKey: true, shiftKey: true })).toBe('redo');
+  expect(command('y', { ctrlKey: true })).toBe('redo');
+  expect(command('k', { ctrlKey: true })).toBeNull();
+});
+
+test('a field takes every key, a button Space', () => {
+  expect(command('k', {}, 'field')).toBeNull();
+  expect(command('z', { ctrlKey: true }, 'field')).toBeNull();
+  expect(command(' ', {}, 'button')).toBeNull();
+  expect(command('k', {}, 'button')).toBe('next-keypose');
+});
+
+test('keys that mean nothing here stay with the browser', () => {
+  expect(command('ArrowLeft', { altKey: true })).toBeNull();
+  expect(command('Tab')).toBeNull();
+  expect(command('Home', { shiftKey: true })).toBeNull();
+});
