@@ -31,6 +31,8 @@ export interface Loader {
 }
 
 const tellMs = 60;
+/** What is done within a moment needs no progress. */
+const quietMs = 300;
 
 interface Batch {
   readonly abort: AbortController;
@@ -178,10 +180,11 @@ class BatchLoader implements Loader {
 
   /** Tells how far the batch is, not more often than one can read it. */
   private tell(batch: Batch): void {
+    const waitMs = Math.max(tellMs, quietMs - (this.parts.now() - batch.startedMs));
     this.timer ??= setTimeout(() => {
       this.timer = null;
       if (this.batch === batch) this.parts.store.loading.value = this.stateOf(batch);
-    }, tellMs);
+    }, waitMs);
   }
 
   private stateOf(batch: Batch): LoadingState {

@@ -111,14 +111,14 @@ function filterField({ words: { t }, filter, onFilter }: LibraryProps): Template
 function rowsInSight(props: LibraryProps): TemplateResult {
   const { rows, openId, qualifiers, words } = props;
   const { first, end } = rowWindow(rows.length, rowHeightPx, props.scrollTop, props.viewHeight);
-  const openShown = rows.some(({ id }) => id === openId);
+  const openInSight = rows.slice(first, end).some(({ id }) => id === openId);
   const row = (clip: Clip, offset: number): TemplateResult =>
     libraryRow({
       words,
       clip,
       qualifier: qualifiers.get(clip.id) ?? '',
       open: clip.id === openId,
-      tabStop: openShown ? clip.id === openId : first + offset === 0,
+      tabStop: openInSight ? clip.id === openId : offset === 0,
       index: first + offset,
       count: rows.length,
       onOpen: () => props.onOpen(clip.id),

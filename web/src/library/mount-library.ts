@@ -66,6 +66,7 @@ export function mountLibrary(place: HTMLElement, context: Context): void {
   // After the rows have been drawn: the open one in sight, and in focus if a row was.
   follow(() => {
     const id = store.openId.value;
+    void [store.sort.value, store.filter.value];
     const index = untracked(() => store.shown.value.findIndex((clip) => clip.id === id));
     const list = body.querySelector<HTMLElement>('.library-list');
     if (index < 0 || !list) return;

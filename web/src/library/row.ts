@@ -129,6 +129,7 @@ export function libraryRow(props: RowProps): TemplateResult {
       type="button"
       class="clip-open"
       data-clip=${clip.id}
+      data-space="plays"
       aria-current=${open ? 'true' : nothing}
       tabindex=${props.tabStop ? 0 : -1}
       @click=${props.onOpen}

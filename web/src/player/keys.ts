@@ -72,27 +72,45 @@ export function commandFor(press: KeyPress, focus: KeyFocus): KeyCommand | null 
 
 const writtenInputs = new Set(['checkbox', 'radio', 'button', 'file', 'submit']);
 
-export function focusOf(target: EventTarget | null): KeyFocus {
+const buttons = 'button, a[href], summary, [role="menuitem"], [role="menuitemradio"]';
+
+/** `reachedByKey`: whether the focus came by the Tab key or the like, not by a press of the pointer. */
+export function focusOf(target: EventTarget | null, reachedByKey: boolean): KeyFocus {
   if (!(target instanceof HTMLElement)) return 'page';
   if (target.isContentEditable || target.matches('textarea, select')) return 'field';
   if (target instanceof HTMLInputElement)
     return writtenInputs.has(target.type) ? 'button' : 'field';
-  const button = target.closest(
-    'button, a[href], summary, [role="menuitem"], [role="menuitemradio"]',
-  );
-  return button?.matches(':focus-visible') ? 'button' : 'page';
+  // A row of the library opens as soon as it is reached: Space is free to play it.
+  const takesSpace = target.closest(buttons) !== null && target.dataset['space'] !== 'plays';
+  return takesSpace && reachedByKey ? 'button' : 'page';
+}
+
+/** Tells how the element in focus was reached. */
+function watchFocus(target: Document): () => boolean {
+  let pressed = false;
+  let reachedByKey = true;
+  const press = (down: boolean) => (): void => {
+    pressed = down;
+  };
+  target.addEventListener('pointerdown', press(true), true);
+  for (const type of ['pointerup', 'pointercancel', 'keydown']) {
+    target.addEventListener(type, press(false), true);
+  }
+  target.addEventListener('focusin', () => {
+    reachedByKey = !pressed;
+  });
+  return () => reachedByKey;
 }
 
 /** Listens on a document; whoever handles a key first keeps it by `preventDefault`. */
-export function listenToKeys(target: Document, run: (command: KeyCommand) => void): () => void {
-  const listener = (event: KeyboardEvent): void => {
+export function listenToKeys(target: Document, run: (command: KeyCommand) => void): void {
+  const reachedByKey = watchFocus(target);
+  target.addEventListener('keydown', (event) => {
     const modal = target.querySelector('dialog[open]') !== null;
     if (event.defaultPrevented || event.isComposing || modal) return;
-    const command = commandFor(event, focusOf(event.target));
+    const command = commandFor(event, focusOf(event.target, reachedByKey()));
     if (!command) return;
     event.preventDefault();
     run(command);
-  };
-  target.addEventListener('keydown', listener);
-  return () => target.removeEventListener('keydown', listener);
+  });
 }
