@@ -13,7 +13,10 @@ export async function withPage(contextOptions, use) {
   });
   try {
     const context = await browser.newContext(contextOptions);
-    return await use(await context.newPage(), `http://127.0.0.1:${server.httpServer.address().port}/`);
+    return await use(
+      await context.newPage(),
+      `http://127.0.0.1:${server.httpServer.address().port}/`,
+    );
   } finally {
     await browser.close();
     await server.close();

@@ -1,6 +1,7 @@
 // Everything a fresh clone lacks, step by step; each is skipped when it is done already.
-// In: a machine with Node and Rust; `--browser` for a Chromium too, `--fonts` for the pictures' faces. Out: node_modules, the wasm target,
-// wasm-pack, the WebAssembly module; one line per step taken. Node built-ins only until `npm ci` ran.
+// In: a machine with Node and Rust; `--browser` for a Chromium too, `--fonts` for the pictures' faces.
+// Out: node_modules, the wasm target, wasm-pack, the WebAssembly module; one line per step taken.
+// Node built-ins only until `npm ci` ran.
 import { join } from 'node:path';
 import { ensureFonts } from './fonts.mjs';
 import { root, run } from './process.mjs';
@@ -17,7 +18,7 @@ function say(step) {
 
 function ensurePackages() {
   const stampFile = join(root, 'node_modules', '.keypose-stamp');
-  const hash = hashOf(['package.json', 'package-lock.json']);
+  const hash = hashOf(['package-lock.json']);
   if (isStamped(stampFile, hash)) return;
   say('installing the packages (npm ci)');
   run('npm', ['ci', '--no-audit', '--no-fund', '--loglevel=error']);
