@@ -1,7 +1,7 @@
 /** The words of a language in; the sentences that timeline and strip ask for out. */
 import type { Words } from '../app/i18n/catalogue';
 import type { StripText } from '../strip/keypose-strip';
-import type { TimelineText } from '../timeline/timeline';
+import type { TimelineText } from '../timeline/timeline-text';
 
 /** Seconds as spoken and as written on cards. */
 const secondDigits = 2;

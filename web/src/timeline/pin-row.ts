@@ -1,6 +1,6 @@
 /** The pins of the keyposes: a list with one tab stop, each pin a button. */
 import type { Pin } from './pin-layout';
-import type { TimelineText } from './timeline';
+import type { TimelineText } from './timeline-text';
 
 export class PinRow {
   readonly element = document.createElement('div');

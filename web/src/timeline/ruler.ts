@@ -1,7 +1,7 @@
 /** The ruler: ticks with seconds and frames. */
 import type { Axis } from './axis';
 import { rulerTicks, type Tick } from './ruler-layout';
-import type { TimelineText } from './timeline';
+import type { TimelineText } from './timeline-text';
 
 const LABEL_WIDTH = 70;
 const FLAG_HALF_WIDTH = 26;
