@@ -88,6 +88,7 @@ class PageActions implements Actions {
   openClip(id: ClipId | null): void {
     const { store } = this.parts;
     if (id === store.openId.peek()) return;
+    this.parts.engine.keep(id);
     batch(() => {
       store.openId.value = id;
       store.performer.value = 0;

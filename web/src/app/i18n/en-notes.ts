@@ -109,5 +109,6 @@ export const englishFailures: Readonly<Record<string, string>> = {
   'not-open': 'The clip has been closed.',
   'not-readable': 'The browser could not read the file. Drop it again.',
   'worker-died': 'The work on this file ended unexpectedly; the other files are not affected.',
+  setting: '{0} is {1}; expected {2}.',
   internal: 'Something unexpected went wrong: {0}',
 };

@@ -96,5 +96,6 @@ export const japaneseFailures: Readonly<Record<string, string>> = {
   'not-open': 'クリップは閉じられています。',
   'not-readable': 'ブラウザーがファイルを読めませんでした。もう一度ドロップしてください。',
   'worker-died': 'このファイルの処理が思いがけず終わりました。ほかのファイルに影響はありません。',
+  setting: '{0} が {1} です。期待される値：{2}',
   internal: '思いがけない問題が起きました：{0}',
 };
