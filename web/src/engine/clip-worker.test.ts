@@ -32,10 +32,10 @@ describe('clip worker', () => {
   it('says whether a file was never readable or changed on disk', async () => {
     const worker = new ClipWorker(Promise.resolve(core));
     const ref = refOf(1, unreadable());
-    expect(kindOf(await worker.analyse(1, ref))).toBe('unreadable');
+    expect(kindOf(await worker.analyse(1, ref))).toBe('not-readable');
     const again = { ...ref, readBefore: true };
     expect(kindOf(await worker.poses(2, again, 0, Int32Array.of(0)))).toBe('changed-on-disk');
-    expect(kindOf(await worker.unzip(3, unreadable()))).toBe('unreadable');
+    expect(kindOf(await worker.unzip(3, unreadable()))).toBe('not-readable');
   });
 
   it('answers with poses of a dropped or unknown clip by reading it again', async () => {

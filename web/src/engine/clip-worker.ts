@@ -266,11 +266,11 @@ function settingsKey({ decisions, options }: ClipRef): string {
 function failureIn(error: unknown): Failure | null {
   if (error instanceof CoreFailure) return error.failure;
   if (error instanceof ZipError) return failureOf(error.kind);
-  return error instanceof DOMException ? failureOf('unreadable') : null;
+  return error instanceof DOMException ? failureOf('not-readable') : null;
 }
 
 /** A Blob that cannot be read any more belongs to a file that was changed or removed. */
 function readingError(error: unknown, readBefore: boolean): unknown {
   if (!(error instanceof DOMException)) return error;
-  return new CoreFailure(failureOf(readBefore ? 'changed-on-disk' : 'unreadable'));
+  return new CoreFailure(failureOf(readBefore ? 'changed-on-disk' : 'not-readable'));
 }

@@ -5,19 +5,19 @@ import type { Failure } from './types';
 
 /** Every kind of them; those of reading and analysis are named in the core. */
 export const ENGINE_FAILURES = [
+  'archive-damaged',
+  'archive-entry-encrypted',
+  'archive-entry-method',
+  'archive-too-large',
+  'archive-without-motions',
   'changed-on-disk',
   'engine-unavailable',
   'no-such-sample',
-  'not-a-zip',
+  'not-an-archive',
   'not-open',
+  'not-readable',
   'out-of-memory',
-  'unreadable',
   'worker-died',
-  'zip-damaged',
-  'zip-encrypted',
-  'zip-method',
-  'zip-too-large',
-  'zip-without-motions',
 ] as const;
 
 export type EngineFailureKind = (typeof ENGINE_FAILURES)[number];

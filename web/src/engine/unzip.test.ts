@@ -68,23 +68,23 @@ describe('unzip', () => {
   it('reports encrypted and unknown entries, and goes on', async () => {
     const encrypted = zip({ 'a.bvh': motion });
     encrypted[headersOf(encrypted).directory + 8] = 1;
-    expect((await unpacked(encrypted)).failures).toEqual([['a.bvh', 'zip-encrypted']]);
+    expect((await unpacked(encrypted)).failures).toEqual([['a.bvh', 'archive-entry-encrypted']]);
     const unknown = zip({ 'a.bvh': motion });
     unknown[headersOf(unknown).directory + 10] = 12;
-    expect((await unpacked(unknown)).failures).toEqual([['a.bvh', 'zip-method']]);
+    expect((await unpacked(unknown)).failures).toEqual([['a.bvh', 'archive-entry-method']]);
   });
 
   it('stops a bomb, whatever the directory says of its size', async () => {
     const archive = zip({ 'a.bvh': new Uint8Array(10_000_000), 'b.bvh': motion });
     const limits = { entryBytes: 1_000_000, archiveBytes: 2_000_000 };
     const honest = await unpacked(archive, limits);
-    expect(honest.failures).toEqual([['a.bvh', 'zip-too-large']]);
+    expect(honest.failures).toEqual([['a.bvh', 'archive-too-large']]);
     expect(honest.entries.map(({ name }) => name)).toEqual(['b.bvh']);
     new DataView(archive.buffer).setUint32(headersOf(archive).directory + 24, 10, true);
-    expect((await unpacked(archive, limits)).failures).toEqual([['a.bvh', 'zip-too-large']]);
+    expect((await unpacked(archive, limits)).failures).toEqual([['a.bvh', 'archive-too-large']]);
     const total = { entryBytes: 1_000_000, archiveBytes: 600_000 };
     const two = zip({ 'a.bvh': motion, 'b.bvh': motion });
-    expect((await unpacked(two, total)).failures).toEqual([['b.bvh', 'zip-too-large']]);
+    expect((await unpacked(two, total)).failures).toEqual([['b.bvh', 'archive-too-large']]);
   });
 
   it('says what is no archive, damaged, or without motions', async () => {
@@ -93,14 +93,14 @@ describe('unzip', () => {
         ({ failures }) => failures[0]?.[1],
         (error: { kind?: string }) => error.kind,
       );
-    expect(await failing(new Uint8Array(0))).toBe('not-a-zip');
-    expect(await failing(strToU8('HIERARCHY'))).toBe('not-a-zip');
-    expect(await failing(zip({ 'a.txt': motion }))).toBe('zip-without-motions');
+    expect(await failing(new Uint8Array(0))).toBe('not-an-archive');
+    expect(await failing(strToU8('HIERARCHY'))).toBe('not-an-archive');
+    expect(await failing(zip({ 'a.txt': motion }))).toBe('archive-without-motions');
     const cut = zip({ 'a.bvh': motion });
     cut.fill(0xff, 40, 200);
-    expect(await failing(cut)).toBe('zip-damaged');
+    expect(await failing(cut)).toBe('archive-damaged');
     const moved = zip({ 'a.bvh': motion });
     new DataView(moved.buffer).setUint32(moved.length - 6, 0xfffffff0, true);
-    expect(await failing(moved)).toBe('zip-damaged');
+    expect(await failing(moved)).toBe('archive-damaged');
   });
 });

@@ -41,7 +41,7 @@ export async function unzipMotions(
   limits = UNZIP_LIMITS,
 ): Promise<void> {
   const entries = (await readDirectory(archive)).filter(isMotion);
-  if (entries.length === 0) throw new ZipError('zip-without-motions');
+  if (entries.length === 0) throw new ZipError('archive-without-motions');
   const packedTotal = entries.reduce((sum, entry) => sum + entry.packedBytes, 0);
   let packedDone = 0;
   let left = limits.archiveBytes;
@@ -88,11 +88,11 @@ async function unpack(
   limit: number,
   listener: UnzipListener,
 ): Promise<Blob> {
-  if (entry.encrypted) throw new ZipError('zip-encrypted');
-  if (entry.bytes > limit) throw new ZipError('zip-too-large');
+  if (entry.encrypted) throw new ZipError('archive-entry-encrypted');
+  if (entry.bytes > limit) throw new ZipError('archive-too-large');
   const packed = await packedBytesOf(archive, entry);
   if (entry.method === STORED) return packed;
-  if (entry.method !== DEFLATED) throw new ZipError('zip-method');
+  if (entry.method !== DEFLATED) throw new ZipError('archive-entry-method');
   return inflate(packed, limit, listener);
 }
 
@@ -104,7 +104,7 @@ async function inflate(packed: Blob, limit: number, listener: UnzipListener): Pr
     bytes += part.length;
     ended = final;
     // The size in the directory may lie: what really comes out counts.
-    if (bytes > limit) throw new ZipError('zip-too-large');
+    if (bytes > limit) throw new ZipError('archive-too-large');
     parts.push(new Uint8Array(part));
   });
   for (let at = 0; at < packed.size; at += SLICE_BYTES) {
@@ -115,7 +115,7 @@ async function inflate(packed: Blob, limit: number, listener: UnzipListener): Pr
       await listener.turn();
     }
   }
-  if (!ended) throw new ZipError('zip-damaged');
+  if (!ended) throw new ZipError('archive-damaged');
   return new Blob(parts);
 }
 
@@ -123,6 +123,6 @@ function pushInto(inflater: Inflate, slice: Uint8Array<ArrayBuffer>, last: boole
   try {
     inflater.push(slice, last);
   } catch (error) {
-    throw error instanceof ZipError ? error : new ZipError('zip-damaged');
+    throw error instanceof ZipError ? error : new ZipError('archive-damaged');
   }
 }

@@ -50,14 +50,14 @@ interface DirectoryPlace {
 export async function readDirectory(archive: Blob): Promise<ZipEntry[]> {
   const place = await findDirectory(archive);
   const fits = place.offset + place.bytes <= archive.size;
-  if (!fits || place.bytes > MAXIMUM_DIRECTORY_BYTES) throw new ZipError('zip-damaged');
+  if (!fits || place.bytes > MAXIMUM_DIRECTORY_BYTES) throw new ZipError('archive-damaged');
   const view = await viewOf(archive, place.offset, place.bytes);
   const entries: ZipEntry[] = [];
   let at = 0;
   while (at + 46 <= view.byteLength && view.getUint32(at, true) === DIRECTORY_ENTRY) {
     const lengths = [28, 30, 32].map((field) => view.getUint16(at + field, true));
     const end = lengths.reduce((sum, length) => sum + length, at + 46);
-    if (end > view.byteLength) throw new ZipError('zip-damaged');
+    if (end > view.byteLength) throw new ZipError('archive-damaged');
     entries.push(entryAt(view, at, lengths[0] ?? 0, lengths[1] ?? 0));
     at = end;
   }
@@ -68,7 +68,7 @@ export async function readDirectory(archive: Blob): Promise<ZipEntry[]> {
 export async function packedBytesOf(archive: Blob, entry: ZipEntry): Promise<Blob> {
   const header = await viewOf(archive, entry.headerOffset, 30);
   if (header.byteLength < 30 || header.getUint32(0, true) !== LOCAL_HEADER) {
-    throw new ZipError('zip-damaged');
+    throw new ZipError('archive-damaged');
   }
   const names = header.getUint16(26, true) + header.getUint16(28, true);
   const start = entry.headerOffset + 30 + names;
@@ -86,18 +86,18 @@ async function findDirectory(archive: Blob): Promise<DirectoryPlace> {
     const large = offset === IN_ZIP64 || tail.getUint16(at + 10, true) === 0xffff;
     return large ? findDirectory64(archive, tailOffset + at) : { offset, bytes };
   }
-  throw new ZipError('not-a-zip');
+  throw new ZipError('not-an-archive');
 }
 
 /** Archives above 4 GB or 65 534 entries say the place in a record of their own. */
 async function findDirectory64(archive: Blob, end: number): Promise<DirectoryPlace> {
   const locator = await viewOf(archive, end - 20, 20);
   if (locator.byteLength < 20 || locator.getUint32(0, true) !== END_64_LOCATOR) {
-    throw new ZipError('zip-damaged');
+    throw new ZipError('archive-damaged');
   }
   const record = await viewOf(archive, Number(locator.getBigUint64(8, true)), 56);
   if (record.byteLength < 56 || record.getUint32(0, true) !== END_64) {
-    throw new ZipError('zip-damaged');
+    throw new ZipError('archive-damaged');
   }
   return {
     bytes: Number(record.getBigUint64(40, true)),
