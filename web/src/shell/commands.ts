@@ -6,6 +6,8 @@ type Run = (context: Context) => void;
 
 const tenthS = 0.1;
 
+const focusFilter = (): void => document.querySelector<HTMLInputElement>('#filter')?.select();
+
 const commands: Readonly<Record<KeyCommand, Run>> = {
   play: ({ playback }) => playback.toggle(),
   'frame-back': ({ playback }) => playback.step(-1),
@@ -24,11 +26,10 @@ const commands: Readonly<Record<KeyCommand, Run>> = {
   },
   filter: ({ panels, store }) => {
     if (store.present.peek().length === 0) return;
-    if (!panels.library.open.peek()) panels.library.toggle();
+    if (panels.library.open.peek()) return focusFilter();
+    panels.library.toggle();
     // The panel shows with the next frame.
-    requestAnimationFrame(() =>
-      requestAnimationFrame(() => document.querySelector<HTMLElement>('#filter')?.focus()),
-    );
+    requestAnimationFrame(() => requestAnimationFrame(focusFilter));
   },
   undo: ({ actions }) => actions.undo(),
   redo: ({ actions }) => actions.redo(),

@@ -51,6 +51,12 @@ function clipPlace({ store }: Context): OpenClipPlace | null {
   };
 }
 
+/** A file that could not be read has none. */
+const hasDetails = ({ store }: Context): boolean => {
+  const clip = store.openClip.value;
+  return clip !== null && clip.status !== 'failed';
+};
+
 function topBarProps(context: Context): TopBarProps {
   const { store, history, theme, language, actions, panels } = context;
   const words = language.words.value;
@@ -67,7 +73,7 @@ function topBarProps(context: Context): TopBarProps {
           redo: redo?.label ?? null,
           panels: store.present.value.length > 0,
           libraryOpen: panels.library.open.value,
-          inspectorOpen: panels.inspector.open.value,
+          inspectorOpen: hasDetails(context) ? panels.inspector.open.value : null,
         }
       : null,
     onClip: (direction) => actions.openNeighbour(direction),
@@ -161,7 +167,8 @@ function mountSplitters(places: Places, { language, preferences }: Context): voi
 }
 
 /** Empty page or study, panels, drawers, veil. */
-function showWhatIsDue(places: Places, { store, panels, language }: Context): void {
+function showWhatIsDue(places: Places, context: Context): void {
+  const { store, panels, language } = context;
   follow(() => {
     const hasClips = store.present.value.length > 0;
     places.empty.hidden = hasClips;
@@ -170,7 +177,8 @@ function showWhatIsDue(places: Places, { store, panels, language }: Context): vo
   });
   follow(() => {
     for (const name of ['library', 'inspector'] as const) {
-      places[name].hidden = !panels[name].open.value;
+      const due = name === 'library' || hasDetails(context);
+      places[name].hidden = !due || !panels[name].open.value;
       places[name].classList.toggle('drawer', !panels[name].docked.value);
     }
     places.scrim.hidden = !panels.drawerOpen.value;

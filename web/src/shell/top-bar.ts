@@ -25,7 +25,8 @@ export interface TopBarProps {
     /** Whether there are side panels at all. */
     readonly panels: boolean;
     readonly libraryOpen: boolean;
-    readonly inspectorOpen: boolean;
+    /** null where there is nothing to show in it. */
+    readonly inspectorOpen: boolean | null;
   } | null;
   readonly onClip: (direction: 1 | -1) => void;
   readonly onUndo: () => void;
@@ -95,7 +96,7 @@ export function topBar(props: TopBarProps): TemplateResult {
     <div class="top-middle">${study?.clip ? clipPlace(props, study.clip) : nothing}</div>
     <div class="top-end">
       ${study ? historyButtons(props, study) : nothing} ${tasteButtons(props)}
-      ${study?.panels ? html`<span class="rule"></span>${panel('panel-right', t('top.inspector'), study.inspectorOpen, props.onInspector)}` : nothing}
+      ${study?.panels && study.inspectorOpen !== null ? html`<span class="rule"></span>${panel('panel-right', t('top.inspector'), study.inspectorOpen, props.onInspector)}` : nothing}
     </div>
   `;
 }

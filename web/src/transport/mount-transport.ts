@@ -10,6 +10,7 @@ export function mountTransport(place: HTMLElement, { store, playback, language }
     const state = store.playback.value;
     const frames = store.keyposeFrames.value;
     const result = store.openClip.value?.result;
+    place.hidden = !result;
     return transport({
       words,
       playback: state,
