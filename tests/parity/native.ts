@@ -20,16 +20,17 @@ export function withoutName(line: string): string {
 
 /** Writes all samples into a folder; none, saying so, where the command has not been built. */
 export function writeSamples(folder: string): void {
-  run(['samples', folder]);
+  runCommand(['samples', folder]);
 }
 
 /** The line of JSON of each motion; null, saying so, where the command has not been built. */
-export function nativeReports(motions: readonly MotionFile[]): string[] | null {
-  const text = run(['keyposes', '--json', ...motions.map(({ path }) => path)]);
+export function nativeReports(motions: readonly Pick<MotionFile, 'path'>[]): string[] | null {
+  const text = runCommand(['keyposes', '--json', ...motions.map(({ path }) => path)]);
   return text === null ? null : text.trimEnd().split('\n').map(withoutName);
 }
 
-function run(args: readonly string[]): string | null {
+/** What the command prints; null, saying so, where it has not been built. */
+export function runCommand(args: readonly string[]): string | null {
   const command = commandPath();
   if (!existsSync(command)) {
     process.stderr.write(`skipped: no ${command} (cargo build --release -p keypose-cli)\n`);

@@ -129,8 +129,14 @@ fn utf16(bytes: &[u8]) -> Vec<u8> {
     units.flat_map(u16::to_le_bytes).collect()
 }
 
+/// Cases of each property: what `PROPTEST_CASES` says, else 2000.
+fn cases() -> u32 {
+    let asked = std::env::var("PROPTEST_CASES").ok();
+    asked.and_then(|text| text.parse().ok()).unwrap_or(2000)
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(ProptestConfig::with_cases(cases()))]
 
     #[test]
     fn any_bytes(bytes in vec(any::<u8>(), 0..300), cuts in vec(any::<Index>(), 0..4)) {
