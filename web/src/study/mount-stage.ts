@@ -1,10 +1,10 @@
 /** The stage on the page: the open clip's performers on it, the words over it, the caption spoken when at rest. */
-import { computed, signal } from '@preact/signals-core';
+import { computed, effect, signal, type ReadonlySignal } from '@preact/signals-core';
 import type { Context } from '../app/context';
 import type { Store, ViewPreset } from '../app/store';
 import { follow, mount } from '../common/mount';
 import { createPoseSource } from '../engine/pose-source';
-import { Stage, type StageFailure, type StagePerformer } from '../stage';
+import type { Stage, StageFailure, StagePerformer } from '../stage';
 import { captionOf, type Caption } from './caption';
 import { stageOverlay, type StageOverlayProps } from './stage-overlay';
 
@@ -76,12 +76,14 @@ function failure({ store, language }: Context) {
   return { name: clip.source.name, place, reason: language.words.value.failure(clip.failure) };
 }
 
-function createStage(
+/** three.js outweighs all the rest: it comes with the first motions, not with the first screen. */
+async function createStage(
   place: HTMLElement,
   { store, theme }: Context,
   settings: StageSettings,
   onTrouble: (trouble: Trouble) => void,
-): Stage {
+): Promise<Stage> {
+  const { Stage } = await import('../stage');
   return new Stage(place, {
     performers: [],
     theme: theme.theme.peek(),
@@ -97,28 +99,56 @@ function createStage(
   });
 }
 
+/** Calls `act` once, as soon as motions are here or on their way. */
+function atFirstMotion({ store }: Context, act: () => void): void {
+  let acted = false;
+  effect(() => {
+    const isDue = store.dropping.value || store.loading.value || store.present.value.length > 0;
+    if (acted || !isDue) return;
+    acted = true;
+    act();
+  });
+}
+
 export function mountStage(places: StagePlaces, context: Context, settings: StageSettings): void {
-  const { store, language, theme } = context;
+  const { store } = context;
   const trouble = signal<Trouble>(settings.off ? 'off' : null);
+  const stage = signal<Stage | null>(null);
   const caption = createCaption(context);
-  const stage = createStage(places.figure, context, settings, (next) => {
+  const onTrouble = (next: Trouble): void => {
     trouble.value = next;
+  };
+  atFirstMotion(context, () => {
+    createStage(places.figure, context, settings, onTrouble).then(
+      (created) => {
+        stage.value = created;
+      },
+      () => onTrouble('no-webgl2'),
+    );
   });
   showScene(stage, context);
-  follow(() => {
-    const label = language.words.value.t('stage.label');
-    const look = { theme: theme.theme.value, view: store.view.value, follow: store.follow.value };
-    places.stage.setAttribute('aria-label', label);
-    stage.update({ ...look, label });
-  });
+  showLook(places.stage, stage, context);
   const onView = (view: ViewPreset): void => {
     store.view.value = view;
-    stage.frameView(view);
+    stage.peek()?.frameView(view);
   };
   mount(places.overlay, () =>
     stageOverlay(overlayProps(context, caption.value, trouble.value, onView)),
   );
   speak(places.spoken, store, caption);
+}
+
+function showLook(
+  place: HTMLElement,
+  stage: ReadonlySignal<Stage | null>,
+  { store, language, theme }: Context,
+): void {
+  follow(() => {
+    const label = language.words.value.t('stage.label');
+    const look = { theme: theme.theme.value, view: store.view.value, follow: store.follow.value };
+    place.setAttribute('aria-label', label);
+    stage.value?.update({ ...look, label });
+  });
 }
 
 function overlayProps(
@@ -144,18 +174,18 @@ function overlayProps(
   };
 }
 
-function showScene(stage: Stage, context: Context): void {
+function showScene(stage: ReadonlySignal<Stage | null>, context: Context): void {
   const { store } = context;
   // The same result means the same figures, whatever else has changed about the clip.
   const result = computed(() => store.openClip.value?.result ?? null);
   let performers: StagePerformer[] = [];
   follow(() => {
     performers.forEach(({ source }) => source.destroy());
-    performers = result.value ? performersOf(context) : [];
-    stage.update({ performers });
-    stage.show(store.playback.peek().frame);
+    performers = stage.value && result.value ? performersOf(context) : [];
+    stage.value?.update({ performers });
+    stage.value?.show(store.playback.peek().frame);
   });
-  follow(() => stage.show(store.playback.value.frame));
+  follow(() => stage.value?.show(store.playback.value.frame));
 }
 
 /** A caption is spoken when the time stands still; while it runs, it would never come to its end. */
