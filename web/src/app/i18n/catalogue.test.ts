@@ -35,7 +35,7 @@ test('both languages name the same places', () => {
 test('no sentence is empty', () => {
   for (const book of [en, ja, englishNotes, englishFailures, japaneseNotes, japaneseFailures]) {
     for (const message of Object.values(book)) {
-      expect(forms(message as Message).every((text) => text.trim() !== '')).toBe(true);
+      expect(forms(message).every((text) => text.trim() !== '')).toBe(true);
     }
   }
 });
@@ -59,7 +59,7 @@ test('Japanese tells every note and failure, with the same places', () => {
   ] as const) {
     expect(Object.keys(japanese).sort()).toEqual(Object.keys(english).sort());
     for (const [kind, text] of Object.entries(english)) {
-      expect(places(japanese[kind]!), kind).toEqual(places(text));
+      expect(places(japanese[kind]), kind).toEqual(places(text));
     }
   }
 });
