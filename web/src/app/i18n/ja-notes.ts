@@ -85,7 +85,8 @@ export const japaneseFailures: Readonly<Record<string, string>> = {
     'あと {0} 個の値のためのメモリーが足りません。ほかの動きを閉じるか、短い動きに分けてください。',
   'archive-damaged': '書庫が壊れています。もう一度ダウンロードするか、作り直してください。',
   'archive-entry-encrypted': '書庫の中のこのファイルは暗号化されています。先に展開してください。',
-  'archive-entry-method': '書庫の中のこのファイルの圧縮方式はここでは開けません。先に展開してください。',
+  'archive-entry-method':
+    '書庫の中のこのファイルの圧縮方式はここでは開けません。先に展開してください。',
   'archive-too-large': '書庫が大きすぎてここでは開けません。先に展開してください。',
   'archive-without-motions': '書庫に BVH ファイルがありません。',
   'changed-on-disk': '開いた後にファイルが変わりました。もう一度ドロップしてください。',
