@@ -42,6 +42,8 @@ const THREAD_HEIGHT = 14;
 /** The common ground line of the figures, and the pixels above it for the tallest. */
 const GROUND_Y = 72;
 const FIGURE_ROOM = 62;
+/** Below this width a card has no room for two decimals of ten seconds and more. */
+const NARROW_CARD = 58;
 /** Pixels of one body height where no figure leaps higher than the room. */
 const USUAL_SCALE = 55;
 /** Pixels from the strip's lower edge to the middle of the pins. */
@@ -158,7 +160,7 @@ export class KeyposeStrip {
     button.style.left = `${card.x - width / 2}px`;
     button.style.width = `${width - 1}px`;
     button.setAttribute('aria-label', text.keypose(card.keypose + 1, frames.length, timeS));
-    button.append(this.picture(card, width, scale), cardLabel(text, card.keypose, timeS));
+    button.append(this.picture(card, width, scale), cardLabel(text, card.keypose, timeS, width));
     button.addEventListener('click', () => this.events.onPick(card.keypose));
     return button;
   }
@@ -239,11 +241,12 @@ function thread(cardX: number, pinX: number): SVGPathElement {
   return path;
 }
 
-function cardLabel(text: StripText, keypose: number, timeS: number): HTMLElement {
+function cardLabel(text: StripText, keypose: number, timeS: number, width: number): HTMLElement {
+  const digits = width < NARROW_CARD && timeS >= 10 ? 1 : 2;
   const label = element('span', 'card-label');
   const number = element('b', 'card-number');
   number.textContent = text.count(keypose + 1);
-  label.append(number, text.seconds(timeS, 2));
+  label.append(number, text.seconds(timeS, digits));
   return label;
 }
 
