@@ -15,7 +15,7 @@ const headers = {
 
 const page = {
   configFile: false,
-  logLevel: 'warn',
+  logLevel: 'error',
   root: join(root, 'bench', 'page'),
   base: './',
   worker: { format: 'es' },
