@@ -159,8 +159,11 @@ export class KeyposeStrip {
     button.type = 'button';
     button.style.left = `${card.x - width / 2}px`;
     button.style.width = `${width - 1}px`;
-    button.setAttribute('aria-label', text.keypose(card.keypose + 1, frames.length, timeS));
-    button.append(this.picture(card, width, scale), cardLabel(text, card.keypose, timeS, width));
+    const label = cardLabel(text, card.keypose, timeS, width);
+    const spoken = text.keypose(card.keypose + 1, frames.length, timeS);
+    // The words seen stand in the name as they are, for those who speak to their computer.
+    button.setAttribute('aria-label', `${label.textContent}, ${spoken}`);
+    button.append(this.picture(card, width, scale), label);
     button.addEventListener('click', () => this.events.onPick(card.keypose));
     return button;
   }
@@ -246,7 +249,7 @@ function cardLabel(text: StripText, keypose: number, timeS: number, width: numbe
   const label = element('span', 'card-label');
   const number = element('b', 'card-number');
   number.textContent = text.count(keypose + 1);
-  label.append(number, text.seconds(timeS, digits));
+  label.append(number, ` ${text.seconds(timeS, digits)}`);
   return label;
 }
 
