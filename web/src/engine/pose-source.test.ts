@@ -36,6 +36,16 @@ describe('pose source', () => {
     expect(source.read(13)).toBe(source.read(13));
   });
 
+  it('has the rest pose of a clip without frames', async () => {
+    const { engine, answer } = fakeEngine();
+    const source = createPoseSource(engine, 1, 0, { jointCount: 2, frames: 0 });
+    expect(source.frames).toBe(1);
+    expect(source.read(0)).toBeNull();
+    expect(engine.poseRange.mock.calls[0]?.slice(0, 4)).toEqual([1, 0, 0, 1]);
+    await answer();
+    expect(source.read(0)).toHaveLength(6);
+  });
+
   it('knows no frame outside of the clip', () => {
     const { engine } = fakeEngine();
     const source = createPoseSource(engine, 1, 0, shape, { chunkFrames: 10 });

@@ -37,7 +37,7 @@ const DEFAULTS = { chunkFrames: 256, maximumBytes: 64 * 2 ** 20, chunksAhead: 2 
 /** Requests under way at once; further ones wait, and of the waiting only the latest counts. */
 const MAXIMUM_UNDER_WAY = 4;
 
-/** The performer's poses, fetched from the engine as they are needed. */
+/** The performer's poses, fetched from the engine as they are needed. Frame 0 of a clip without frames is its skeleton's rest pose. */
 export function createPoseSource(
   engine: Pick<Engine, 'poseRange'>,
   clip: ClipId,
@@ -47,7 +47,7 @@ export function createPoseSource(
 ): PoseSource {
   const fetch = (first: number, count: number, signal: AbortSignal) =>
     engine.poseRange(clip, performer, first, count, { signal });
-  return new ChunkedPoses(fetch, shape.jointCount, shape.frames, options);
+  return new ChunkedPoses(fetch, shape.jointCount, Math.max(1, shape.frames), options);
 }
 
 type FetchPoses = (first: number, count: number, signal: AbortSignal) => Promise<Float32Array>;

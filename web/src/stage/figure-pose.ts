@@ -7,8 +7,12 @@ import { type ConeTexture, TEXTURE_STRIDE } from './cone-texture';
 /** Length of the shadow of a height, for the stage's sun; width of the shade around a body. */
 const SHADOW_OF_HEIGHT = 0.75;
 const SHADE_WIDTH = 0.5;
-/** A human's joints lie within this around the pelvis, nearly always, in body heights. */
+/** A human's joints lie within these around the pelvis and above the ground, nearly always, in body heights. */
 const HUMAN_REACH = 0.55;
+const HUMAN_HIGH = 1.17;
+const HUMAN_LOW = -0.1;
+/** A joint gone astray does not make the rest a dot. */
+const MOST_EXCESS = 3;
 
 /** One performer's figure in the scene, pose by pose. */
 export class FigurePose {
@@ -20,8 +24,13 @@ export class FigurePose {
   private readonly human: boolean;
   /** How far from its pelvis the figure shades the ground. */
   groundReach = 0;
-  /** How far a body that is not human reaches beyond what a human would. */
+  /** Where its middle is over the ground: a human's pelvis, the mean of another body's joints. */
+  middleX = 0;
+  middleZ = 0;
+  /** How far it reaches beyond a standing human around its middle, above and below: the most so far, so that the picture does not breathe. */
   excess = 0;
+  excessHigh = 0;
+  excessLow = 0;
 
   /** `frame` is the clip's; the bones are laid out by the first pose. */
   constructor(performer: FigurePerformer, frame: SceneFrame, pose: Float32Array) {
@@ -61,11 +70,42 @@ export class FigurePose {
     const { joints, x, z } = this;
     let reach = 0;
     let top = 0;
+    let bottom = 0;
     for (let i = 0; i < joints.length; i += 3) {
       reach = Math.max(reach, Math.hypot(joints[i] - x, joints[i + 2] - z));
       top = Math.max(top, joints[i + 1]);
+      bottom = Math.min(bottom, joints[i + 1]);
     }
     this.groundReach = reach + SHADOW_OF_HEIGHT * top + SHADE_WIDTH;
-    this.excess = this.human ? 0 : Math.max(0, reach - HUMAN_REACH, top - 1);
+    this.findMiddle();
+    this.excessHigh = wider(this.excessHigh, this.human ? top - HUMAN_HIGH : top - 1);
+    this.excessLow = wider(this.excessLow, this.human ? HUMAN_LOW - bottom : -bottom);
+    if (!this.human) this.excess = wider(this.excess, this.reachOfMiddle() - HUMAN_REACH);
   }
+
+  private findMiddle(): void {
+    const { joints } = this;
+    this.middleX = this.x;
+    this.middleZ = this.z;
+    if (this.human) return;
+    let [sumX, sumZ] = [0, 0];
+    for (let i = 0; i < joints.length; i += 3) {
+      sumX += joints[i];
+      sumZ += joints[i + 2];
+    }
+    this.middleX = (3 * sumX) / joints.length;
+    this.middleZ = (3 * sumZ) / joints.length;
+  }
+
+  private reachOfMiddle(): number {
+    const { joints, middleX, middleZ } = this;
+    let reach = 0;
+    for (let i = 0; i < joints.length; i += 3)
+      reach = Math.max(reach, Math.hypot(joints[i] - middleX, joints[i + 2] - middleZ));
+    return reach;
+  }
+}
+
+function wider(excess: number, now: number): number {
+  return Math.max(excess, Math.min(now, MOST_EXCESS));
 }

@@ -31,8 +31,8 @@ interface Figure extends GroundFigure {
 
 export class StageScene {
   readonly scene = new Scene();
-  /** Where the figures stand on the ground, in body heights. */
-  readonly place = { x: 0, z: 0, reach: 0 };
+  /** Where the figures stand and how far beyond a standing human they reach, in body heights. */
+  readonly place = { x: 0, z: 0, reach: 0, above: 0, below: 0 };
   private readonly background = new BackgroundView();
   private readonly shared: SharedUniforms = {
     cones: { value: null },
@@ -137,16 +137,19 @@ export class StageScene {
   private placeFigures(): void {
     const { figures, place } = this;
     const share = 1 / Math.max(1, figures.length);
-    place.x = place.z = place.reach = 0;
+    place.x = place.z = place.reach = place.above = place.below = 0;
     for (const figure of figures) {
       figure.x = figure.pose.x;
       figure.z = figure.pose.z;
       figure.groundReach = figure.pose.groundReach;
-      place.x += figure.x * share;
-      place.z += figure.z * share;
+      place.x += figure.pose.middleX * share;
+      place.z += figure.pose.middleZ * share;
     }
-    for (const { pose, x, z } of figures) {
-      place.reach = Math.max(place.reach, Math.hypot(x - place.x, z - place.z) + pose.excess);
+    for (const { pose } of figures) {
+      const away = Math.hypot(pose.middleX - place.x, pose.middleZ - place.z);
+      place.reach = Math.max(place.reach, away + pose.excess);
+      place.above = Math.max(place.above, pose.excessHigh);
+      place.below = Math.max(place.below, pose.excessLow);
     }
     this.ground.setFigures(figures);
   }

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { eased, mixViews, presetView, shortestTurn, type View } from './view';
+import { eased, framing, mixViews, presetView, shortestTurn, type View } from './view';
 
-const alone = { x: 0, z: 0, reach: 0 };
+const alone = { x: 0, z: 0, reach: 0, above: 0, below: 0 };
 const yaws = { frontYawRad: 0.4, sideYawRad: 2.1 };
 
 describe('presetView', () => {
   it('looks at the figure from the yaw of the preset', () => {
-    expect(presetView('front', yaws, 2, { x: 3, z: -1, reach: 0 })).toMatchObject({
+    expect(presetView('front', yaws, 2, { ...alone, x: 3, z: -1 })).toMatchObject({
       yawRad: 0.4,
       targetX: 3,
       targetZ: -1,
@@ -27,12 +27,21 @@ describe('presetView', () => {
 describe('presetView of several figures', () => {
   it('steps back until the outermost is in the picture', () => {
     const near = presetView('side', yaws, 2, alone);
-    expect(presetView('side', yaws, 2, { x: 0, z: 0, reach: 0.3 }).distance).toBeCloseTo(
+    expect(presetView('side', yaws, 2, { ...alone, reach: 0.3 }).distance).toBeCloseTo(
       near.distance + 0.3,
       9,
     );
-    const wide = presetView('side', yaws, 1, { x: 0, z: 0, reach: 1 });
+    const wide = presetView('side', yaws, 1, { ...alone, reach: 1 });
     expect((wide.distance - 1) * Math.tan((23 / 360) * Math.PI)).toBeCloseTo(1.6, 9);
+  });
+});
+
+describe('framing', () => {
+  it('takes in what is above and below a standing human', () => {
+    const { distance, targetY } = framing(2, { ...alone, above: 0.8, below: 0.2 });
+    const halfHeight = distance * Math.tan((23 / 360) * Math.PI);
+    expect(targetY + halfHeight).toBeCloseTo(1.21 + 0.8, 9);
+    expect(targetY - halfHeight).toBeCloseTo(-0.13 - 0.2, 9);
   });
 });
 

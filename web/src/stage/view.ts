@@ -28,29 +28,37 @@ export interface Yaws {
   readonly sideYawRad: number;
 }
 
-/** Where the figures stand: their middle, and how far the outermost is from it. */
+/** Where the figures stand: their middle, how far the outermost is from it, how far they reach above and below a standing human. */
 export interface Place {
   readonly x: number;
   readonly z: number;
   readonly reach: number;
+  readonly above: number;
+  readonly below: number;
 }
 
+/** What of a view follows the figures: where it looks and from how far away. */
+export type Framing = Pick<View, 'distance' | 'targetX' | 'targetY' | 'targetZ'>;
+
 /** The preset's view of the figures; `aspect` is width / height of the stage. */
-export function presetView(
-  preset: ViewPreset,
-  yaws: Yaws,
-  aspect: number,
-  { x, z, reach }: Place,
-): View {
-  const halfWidth = FRAMED_HALF_WIDTH + reach;
-  const halfHeight = Math.max(FRAMED_HALF_HEIGHT, halfWidth / Math.max(aspect, 1e-3));
+export function presetView(preset: ViewPreset, yaws: Yaws, aspect: number, place: Place): View {
   return {
     yawRad: preset === 'side' ? yaws.sideYawRad : yaws.frontYawRad,
     elevationRad: preset === 'top' ? TOP_ELEVATION_RAD : EYE_ELEVATION_RAD,
+    ...framing(aspect, place),
+  };
+}
+
+/** Where a camera looks and how far away it stands, so that all figures are in the picture. */
+export function framing(aspect: number, { x, z, reach, above, below }: Place): Framing {
+  const halfWidth = FRAMED_HALF_WIDTH + reach;
+  const halfHeight = FRAMED_HALF_HEIGHT + (above + below) / 2;
+  const half = Math.max(halfHeight, halfWidth / Math.max(aspect, 1e-3));
+  return {
     // The nearest of several figures may stand before the middle.
-    distance: halfHeight / Math.tan((LENS_DEGREES * Math.PI) / 360) + reach,
+    distance: half / Math.tan((LENS_DEGREES * Math.PI) / 360) + reach,
     targetX: x,
-    targetY: TARGET_HEIGHT,
+    targetY: TARGET_HEIGHT + (above - below) / 2,
     targetZ: z,
   };
 }

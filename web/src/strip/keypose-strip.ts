@@ -4,7 +4,7 @@ import type { KeyposeResult, PerformerResult } from '../engine/types';
 import { drawFlatFigure } from '../figure/draw-flat-figure';
 import { type FlatFigure, flatFigure } from '../figure/flat-figure';
 import { Axis, GUTTER_WIDTH } from '../timeline/axis';
-import { type Card, layoutStrip } from './strip-layout';
+import { type Card, labelDigits, layoutStrip, stripScale } from './strip-layout';
 
 /** Sentences and numbers in the reader's language. */
 export interface StripText {
@@ -39,13 +39,8 @@ export interface StripEvents {
 const SVG_NAMESPACE = 'http://www.w3.org/2000/svg';
 const STRIP_HEIGHT = 106;
 const THREAD_HEIGHT = 14;
-/** The common ground line of the figures, and the pixels above it for the tallest. */
+/** The common ground line of the figures. */
 const GROUND_Y = 72;
-const FIGURE_ROOM = 62;
-/** Below this width a card has no room for two decimals of ten seconds and more. */
-const NARROW_CARD = 58;
-/** Pixels of one body height where no figure leaps higher than the room. */
-const USUAL_SCALE = 55;
 /** Pixels from the strip's lower edge to the middle of the pins. */
 const PIN_MIDDLE = 12;
 
@@ -139,7 +134,7 @@ export class KeyposeStrip {
 
   private placeCards(cards: readonly Card[], width: number, frames: readonly number[]): void {
     const focused = [...this.buttons].find(([, button]) => button === document.activeElement)?.[0];
-    const scale = this.scale();
+    const scale = stripScale(this.figures, width);
     this.buttons = new Map(
       cards.map((card) => [card.keypose, this.card(card, width, scale, frames)]),
     );
@@ -179,12 +174,6 @@ export class KeyposeStrip {
       drawFlatFigure(picture, figure, { scale, x, groundY: GROUND_Y });
     }
     return picture;
-  }
-
-  /** One scale for all figures, so that a leap is seen as one. */
-  private scale(): number {
-    const tallest = this.figures.reduce((height, figure) => Math.max(height, figure.maxY), 0);
-    return tallest > 0 ? Math.min(USUAL_SCALE, FIGURE_ROOM / tallest) : USUAL_SCALE;
   }
 
   private placeThreads(cards: readonly Card[], pinX: readonly number[], width: number): void {
@@ -245,11 +234,10 @@ function thread(cardX: number, pinX: number): SVGPathElement {
 }
 
 function cardLabel(text: StripText, keypose: number, timeS: number, width: number): HTMLElement {
-  const digits = width < NARROW_CARD && timeS >= 10 ? 1 : 2;
   const label = element('span', 'card-label');
   const number = element('b', 'card-number');
   number.textContent = text.count(keypose + 1);
-  label.append(number, ` ${text.seconds(timeS, digits)}`);
+  label.append(number, ` ${text.seconds(timeS, labelDigits(keypose + 1, timeS, width))}`);
   return label;
 }
 

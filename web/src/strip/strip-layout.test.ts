@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { layoutStrip, spread } from './strip-layout';
+import { labelDigits, layoutStrip, spread, stripScale } from './strip-layout';
 
 describe('spread', () => {
   it('leaves places alone that are far enough apart', () => {
@@ -31,5 +31,27 @@ describe('layoutStrip', () => {
 
   it('has no cards without room', () => {
     expect(layoutStrip([10], [1], 20).cards).toEqual([]);
+  });
+});
+
+describe('labelDigits', () => {
+  it('shortens the seconds until the line fits into its card', () => {
+    expect(labelDigits(8, 17.9, 63)).toBe(2);
+    expect(labelDigits(9, 7.45, 48)).toBe(2);
+    expect(labelDigits(58, 35.83, 48)).toBe(1);
+    expect(labelDigits(104, 512.25, 48)).toBe(0);
+    expect(labelDigits(1000, 3599, 48)).toBe(0);
+  });
+});
+
+describe('stripScale', () => {
+  const figure = { minX: -0.2, maxX: 0.2, maxY: 1 };
+
+  it('is that of a standing human, less where one leaps or is long', () => {
+    expect(stripScale([figure], 48)).toBe(55);
+    expect(stripScale([], 48)).toBe(55);
+    expect(stripScale([figure, { ...figure, maxY: 1.55 }], 48)).toBeCloseTo(40, 9);
+    const dog = { minX: -0.9, maxX: 0.6, maxY: 0.7 };
+    expect(stripScale([dog], 48) * 1.5).toBeLessThan(1.2 * 48);
   });
 });

@@ -15,6 +15,15 @@ export interface StripLayout {
 const SMALLEST_CARD = 48;
 const WIDEST_CARD = 63;
 const MARGIN = 2;
+/** Widths in a card's line of text, in pixels: a digit, a decimal point, the gap after the number. */
+const DIGIT = 6.8;
+const POINT = 3.5;
+const LABEL_GAP = 5;
+/** Pixels of one body height where the figures are neither taller nor wider than their room. */
+const USUAL_SCALE = 55;
+/** The figures' room upward in pixels, and across in widths of a card: arms may reach over a little. */
+const ROOM_UP = 62;
+const ROOM_ACROSS = 1.15;
 
 /**
  * Lays out cards near their pins. If not all fit, the most intense that fit are shown, in time
@@ -39,6 +48,25 @@ export function layoutStrip(
     width - low,
   );
   return { cards: shown.map((keypose, index) => ({ keypose, x: xs[index] })), cardWidth };
+}
+
+/** Decimals of the seconds beside a keypose's number: at most 2, as many as a card has room for. */
+export function labelDigits(number: number, timeS: number, cardWidth: number): number {
+  const whole = String(number).length + String(Math.floor(timeS)).length;
+  const room = cardWidth - 2 - LABEL_GAP - whole * DIGIT - POINT;
+  return Math.max(0, Math.min(2, Math.floor(room / DIGIT)));
+}
+
+/** Pixels of one body height, the same for all figures of a strip, so that a leap is seen as one. */
+export function stripScale(
+  figures: readonly { readonly minX: number; readonly maxX: number; readonly maxY: number }[],
+  cardWidth: number,
+): number {
+  return figures.reduce((scale, { minX, maxX, maxY }) => {
+    const up = maxY > 0 ? ROOM_UP / maxY : scale;
+    const across = maxX > minX ? (ROOM_ACROSS * cardWidth) / (maxX - minX) : scale;
+    return Math.min(scale, up, across);
+  }, USUAL_SCALE);
 }
 
 function mostIntense(intensities: ArrayLike<number>, count: number): number[] {
