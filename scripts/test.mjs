@@ -2,7 +2,7 @@
 import { nodeProgram, runSteps } from './steps.mjs';
 
 runSteps([
-  { name: 'Rust tests', command: ['cargo', 'test', '--locked', '--quiet'] },
+  { name: 'Rust tests', command: ['cargo', 'test', '--locked', '--quiet', '--no-fail-fast'] },
   {
     name: 'keypose command (release)',
     command: ['cargo', 'build', '--locked', '--quiet', '--release', '-p', 'keypose-cli'],
