@@ -277,3 +277,14 @@ fn a_body_without_left_and_right_is_followed_in_root_coordinates() {
     analyser.begin(&clip, &decisions, &options).unwrap();
     assert_eq!(finished(&mut analyser, &clip), fresh);
 }
+
+#[test]
+fn a_skeleton_without_motion_stands_on_the_ground() {
+    let text = "HIERARCHY\nROOT a\n{\nOFFSET 0 1 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n\
+                JOINT b\n{\nOFFSET 0 -5 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n\
+                End Site\n{\nOFFSET 0 -2 0\n}\n}\n}\n";
+    let clip = bvh::parse(text.as_bytes()).expect("a clip");
+    assert_eq!(clip.frames, 0);
+    let analysis = analyse(&clip, &Decisions::default(), &Options::default()).unwrap();
+    assert_eq!(analysis.performers[0].ground_height, 1.0 - 5.0);
+}

@@ -3,7 +3,7 @@
 
 use super::facing;
 use super::settings::{Decisions, Source};
-use crate::body::{Body, PelvisFrame, PoseTable};
+use crate::body::{Body, PelvisFrame, PoseTable, TableBuilder};
 use crate::clip::Clip;
 use crate::note::{Note, NoteKind};
 use crate::rest::{self, LeadingRest, RestReason};
@@ -38,7 +38,7 @@ impl Placement {
         }
         let up = up(table, decisions);
         Self {
-            ground_height: world::ground_height(table, up.0),
+            ground_height: ground_height(clip, performer, body, table, up.0),
             front_yaw_rad: facing::front_yaw_rad(clip, performer, &found, up.0),
             up,
             leading_rest,
@@ -66,6 +66,15 @@ impl Placement {
         let user = decisions.unit.map(|unit| (unit, Source::User));
         user.or_else(|| found().map(|unit| (unit, Source::Found)))
     }
+}
+
+/// The ground of the motion; of a clip without one, that of its skeleton.
+fn ground_height(clip: &Clip, performer: usize, body: &Body, table: &PoseTable, up: Up) -> f64 {
+    if clip.frames > 0 {
+        return world::ground_height(table, up);
+    }
+    let skeleton = TableBuilder::new(clip, performer, body).rest();
+    world::ground_height(&skeleton, up)
 }
 
 fn leading_rest(

@@ -160,6 +160,13 @@ impl<'a> TableBuilder<'a> {
         self.table
     }
 
+    /// A table of one frame, the pose of the OFFSETs, for a clip without motion.
+    pub fn rest(mut self) -> PoseTable {
+        self.kinematics.rest(&mut self.pose);
+        self.add();
+        self.table
+    }
+
     /// Room for the whole clip at once where the rest is asked for, so that no copy is made.
     fn reserve(&mut self, frames: usize) {
         let frames = if self.table.feet.is_empty() {
