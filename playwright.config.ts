@@ -23,6 +23,8 @@ export default defineConfig({
   forbidOnly: !!process.env.CI,
   workers: 2,
   timeout: 60_000,
+  // Two slow cores, shared: generous, since nothing waits longer than it has to.
+  expect: { timeout: 15_000 },
   reporter: [['list']],
   use: {
     baseURL: address,

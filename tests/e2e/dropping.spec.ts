@@ -14,7 +14,7 @@ import { expect, test } from './support/test';
 
 test('one file: it opens by itself, with its length, rate and keyposes', async ({ app, page }) => {
   await app.openWith(...sampleFiles('walk-hik-30'));
-  expect(await app.names()).toEqual(['walk-hik-30.bvh']);
+  await app.expectNames('walk-hik-30.bvh');
   await expect(app.openName).toHaveText('walk-hik-30.bvh');
   await expect(page).toHaveTitle('walk-hik-30.bvh · Keypose');
   await expect(app.row('walk-hik-30.bvh')).toContainText(/\d\.\d s · 30 Hz/);
@@ -26,7 +26,7 @@ test('one file: it opens by itself, with its length, rate and keyposes', async (
 test('three files: three rows in the order given, the first one open', async ({ app, page }) => {
   const ids = ['slow-dance-vrm-30', 'walk-hik-60', 'walk-poser-30'];
   await app.openWith(...sampleFiles(...ids));
-  expect(await app.names()).toEqual(ids.map((id) => `${id}.bvh`));
+  await app.expectNames(...ids.map((id) => `${id}.bvh`));
   await expect(page.locator('.clip.ready')).toHaveCount(3);
   await expect(page.locator('.clip .thumbnail > *').first()).toBeAttached();
   await expect(page.locator('.top-place')).toHaveText(/^[123] \/ 3$/);
@@ -41,20 +41,20 @@ test('a folder: every motion at any depth, more than a hundred, and nothing else
   page,
 }) => {
   const folder = temporaryFolder();
-  const many = Array.from({ length: 130 }, (_, n) => [`dances/many/m${n}.bvh`, tinyBvh(30)]);
+  const many = Array.from({ length: 130 }, (_, n) => `dances/many/m${n}.bvh`);
   writeFiles(folder, {
     'dances/walk.bvh': sampleBytes('walk-hik-30'),
     'dances/deep/er/踊り.BVH': sampleBytes('slow-dance-hik-30'),
     'dances/readme.txt': 'not a motion',
     'dances/._walk.bvh': 'what macOS puts beside a file',
     'dances/deep/picture.png': new Uint8Array([1, 2, 3]),
-    ...Object.fromEntries(many),
+    ...Object.fromEntries(many.map((name) => [name, tinyBvh(30)])),
   });
   await app.openWith(join(folder, 'dances'));
   await expect(page.locator('.library-count')).toHaveText('132 clips');
   await expect(app.toast).toHaveCount(0);
   await page.getByLabel('Filter by name').fill('踊り');
-  expect(await app.names()).toEqual(['踊り.BVH']);
+  await app.expectNames('踊り.BVH');
   await app.row('踊り.BVH').getByRole('button').first().click();
   await expect(app.section('Recording')).toContainText('dances/deep/er');
   await expect(app.section('Result')).toContainText('13 keyposes');
@@ -69,7 +69,7 @@ test('a folder and files without a motion are told, and leave the page as it was
   await app.open();
   await app.drop(join(folder, 'empty'));
   await expect(app.toast).toHaveText('No BVH files in empty.');
-  await app.drop(picture!);
+  await app.drop(picture);
   await expect(app.toast).toHaveText('picture.png is no BVH file.');
   await expect(page.getByRole('heading', { name: 'See the keyposes of a motion.' })).toBeVisible();
 });
@@ -85,16 +85,10 @@ test('a .zip: its motions with their folders, and no row for what else is in it'
     '__MACOSX/set/._walk.bvh': new Uint8Array([0, 5, 22, 7]),
   });
   await app.openWith(...writeFiles(temporaryFolder(), { 'set.zip': archive }));
-  expect((await app.names()).sort()).toEqual(['walk.bvh', '踊り.bvh'].sort());
+  await app.expectNames('walk.bvh', '踊り.bvh');
   await expect(page.locator('.clip.ready')).toHaveCount(2);
   await app.row('踊り.bvh').getByRole('button').first().click();
   await expect(app.section('Recording')).toContainText('set/舞');
-});
-
-test('an archive that is none says so', async ({ app }) => {
-  await app.open();
-  await app.drop(...writeFiles(temporaryFolder(), { 'torn.zip': 'PK, but no archive' }));
-  await expect(app.toast).toContainText('torn.zip: This is not a .zip archive');
 });
 
 test('a broken file among good ones: a row with line and reason, the others fine', async ({
@@ -131,20 +125,22 @@ test('a broken file among good ones: a row with line and reason, the others fine
 test('cancel: idle again at once, the other clips still there', async ({ app, page }) => {
   const [walk] = sampleFiles('walk-hik-30');
   const [long, next] = writeFiles(temporaryFolder(), {
-    'long.bvh': longText('slow-dance-vrm-120', 60e6),
+    'long.bvh': longText('slow-dance-hik-120', 80e6),
     'next.bvh': sampleBytes('walk-hik-60'),
   });
-  await app.openWith(walk!);
-  await app.drop(long!);
+  await app.openWith(walk);
+  await app.drop(long);
   const cancel = app.button('Cancel reading');
-  await cancel.click();
+  await expect(cancel).toBeVisible();
+  // Without waiting until it stands still, as click() would.
+  await cancel.dispatchEvent('click');
   const cancelled = Date.now();
   await expect(page.locator('.progress-card')).toHaveCount(0);
   expect(Date.now() - cancelled).toBeLessThan(1500);
   await expect(app.toast).toHaveText('Stopped. 1 file is in the library.');
-  expect(await app.names()).toEqual(['walk-hik-30.bvh']);
+  await app.expectNames('walk-hik-30.bvh');
   await expect(app.section('Result')).toContainText('10 keyposes');
-  await app.drop(next!);
+  await app.drop(next);
   await expect(app.row('next.bvh')).toContainText('10 keyposes');
 });
 
@@ -159,14 +155,14 @@ test('the buttons of the empty page pick files and a folder', async ({ app, page
   await app.button('Choose a folder').click();
   await (await choosing).setFiles(join(folder, 'set'));
   await app.settled();
-  expect(await app.names()).toEqual(['walk.bvh']);
+  await app.expectNames('walk.bvh');
   await expect(app.section('Recording')).toContainText('set/inner');
   await app.button('Add motions').click();
   const adding = page.waitForEvent('filechooser');
   await page.getByRole('menuitem', { name: 'Add files…' }).click();
-  await (await adding).setFiles([text!, ...sampleFiles('walk-hik-60')]);
+  await (await adding).setFiles([text, ...sampleFiles('walk-hik-60')]);
   await app.settled();
-  expect(await app.names()).toEqual(['walk.bvh', 'walk-hik-60.bvh']);
+  await app.expectNames('walk.bvh', 'walk-hik-60.bvh');
   await expect(app.toast).toHaveText('notes.txt is no BVH file.');
 });
 
@@ -180,7 +176,7 @@ test('files of the same name are kept apart; the same file twice is one row', as
     'set/right/walk.bvh': sampleBytes('slow-dance-hik-30'),
   });
   await app.openWith(join(folder, 'set'));
-  expect(await app.names()).toEqual(['set/left walk.bvh', 'set/right walk.bvh']);
+  await app.expectNames('set/left walk.bvh', 'set/right walk.bvh');
   await expect(app.rows.first()).toContainText('10 keyposes');
   await expect(app.rows.nth(1)).toContainText('13 keyposes');
   await app.rows.nth(1).getByRole('button').first().click();
@@ -188,6 +184,6 @@ test('files of the same name are kept apart; the same file twice is one row', as
   await app.drop(join(folder, 'set'));
   await expect(app.toast).toHaveText('2 files were in the library already');
   await expect(app.rows).toHaveCount(2);
-  await app.drop(first!);
+  await app.drop(first);
   await expect(page.locator('.library-count')).toHaveText('3 clips');
 });

@@ -42,8 +42,12 @@ export class AppPage {
     return this.page.locator('.clip');
   }
 
-  /** The names of the rows with what tells namesakes apart, from top to bottom. */
-  async names(): Promise<string[]> {
+  /** The names of the rows, each after what tells it from namesakes, come to be these, from top to bottom. */
+  async expectNames(...names: string[]): Promise<void> {
+    await expect.poll(() => this.names()).toEqual(names);
+  }
+
+  private async names(): Promise<string[]> {
     const rows = await this.rows.evaluateAll((items) =>
       items.map((item) => ({
         place: Number(item.getAttribute('aria-posinset')),

@@ -44,8 +44,10 @@ export function longText(id: string, bytes: number): string {
   const text = sampleText(id);
   const rows = text.slice(rowsAt(text));
   const repeats = Math.ceil(bytes / rows.length);
-  const frames = repeats * (rows.trimEnd().split('\n').length);
-  return text.slice(0, rowsAt(text)).replace(/Frames:.*/, `Frames: ${frames}`) + rows.repeat(repeats);
+  const frames = repeats * rows.trimEnd().split('\n').length;
+  return (
+    text.slice(0, rowsAt(text)).replace(/Frames:.*/, `Frames: ${frames}`) + rows.repeat(repeats)
+  );
 }
 
 /** A sample with one value too few in a row; `line` is where, from 1. */
@@ -58,7 +60,10 @@ export function withShortRow(id: string): { text: string; line: number } {
 
 /** A few frames of one joint and its end: read in no time, and not human. */
 export function tinyBvh(frames: number): string {
-  const rows = Array.from({ length: frames }, (_, n) => `0 ${Math.sin(n / 5).toFixed(4)} 0 0 ${n} 0`);
+  const rows = Array.from(
+    { length: frames },
+    (_, n) => `0 ${Math.sin(n / 5).toFixed(4)} 0 0 ${n} 0`,
+  );
   const channels = 'CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation';
   return [
     'HIERARCHY',

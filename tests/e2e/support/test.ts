@@ -29,10 +29,12 @@ const isElsewhere = ({ protocol, hostname }: URL): boolean =>
   protocol.startsWith('http') && hostname !== '127.0.0.1';
 
 export const test = base.extend<AppFixtures>({
-  // eslint-disable-next-line no-empty-pattern
   faults: async ({}, use) => use([]),
-  app: async ({ page, faults }, use, { skip }) => {
-    skip(!isCommandBuilt(), 'the keypose command, which makes the files to drop, is not built');
+  app: async ({ page, faults }, use, info) => {
+    info.skip(
+      !isCommandBuilt(),
+      'the keypose command, which makes the files to drop, is not built',
+    );
     await watch(page, faults);
     await use(new AppPage(page));
     expect(faults).toEqual([]);
