@@ -1,0 +1,133 @@
+/** What a person decides about a recording is shown, computed with, and can be undone and redone. */
+import { longText, sampleBytes, sampleFiles, temporaryFolder, writeFiles } from './support/motions';
+import { reportOf } from './support/reports';
+import { expect, test } from './support/test';
+
+test('frame rate: time and keyposes follow; keys undo and redo it', async ({ app, page }) => {
+  const [path = ''] = sampleFiles('walk-hik-60');
+  const usual = reportOf(path);
+  const slower = reportOf(path, '--frame-rate-hz', '24');
+  const last = usual.frames - 1;
+  const rate = page.getByLabel('Frame rate');
+  const row = app.row('walk-hik-60.bvh');
+  await app.openWith(path);
+  const expectRate = async (hz: number, report: typeof usual): Promise<void> => {
+    await expect(rate).toHaveValue(String(hz));
+    await app.settled();
+    await expect(row).toContainText(`${(last / hz).toFixed(1)} s · ${hz} Hz`);
+    await expect(app.section('Result')).toContainText(`${report.candidates.length} candidates`);
+    await expect(row).toContainText(`${report.keyposes.length} keypose`);
+    await page.keyboard.press('End');
+    await expect(page.locator('.clock-time')).toHaveText((last / hz).toFixed(3));
+  };
+  await expectRate(60, usual);
+  await rate.fill('24');
+  await rate.press('Enter');
+  await rate.blur();
+  await expectRate(24, slower);
+  await page.keyboard.press('Control+z');
+  await expectRate(60, usual);
+  await page.keyboard.press('Control+Shift+Z');
+  await expectRate(24, slower);
+  await app.button('Undo: frame rate').click();
+  await expectRate(60, usual);
+  await expect(app.button('Redo: frame rate')).toBeEnabled();
+});
+
+test('leading frames: taken, left out of the result, and back to automatic', async ({
+  app,
+  page,
+}) => {
+  const [path = ''] = sampleFiles('slow-dance-hik-30');
+  await app.openWith(path);
+  const field = page.getByLabel('Leading frames left out');
+  const automatic = await field.inputValue();
+  await field.fill('100');
+  await field.blur();
+  const decided = reportOf(path, '--leading-rest-frames', '100');
+  await expect(app.section('Result')).toContainText(`${decided.keyposes.length} keyposes`);
+  await expect(app.section('Notes')).toContainText('100 leading frames were left out by hand.');
+  await page.keyboard.press('Home');
+  await expect(app.caption).toContainText('leading rest pose, left out');
+  await app.button('Back to automatic: Leading frames left out').click();
+  await expect(field).toHaveValue(automatic);
+  await app.settled();
+  await expect(app.section('Notes')).not.toContainText('by hand');
+});
+
+test('a value that cannot be is not taken', async ({ app, page }) => {
+  await app.openWith(...sampleFiles('walk-hik-30'));
+  const rate = page.getByLabel('Frame rate');
+  for (const wrong of ['0', '-3', '2001', '']) {
+    await rate.fill(wrong);
+    await rate.blur();
+    await expect(rate).toHaveJSProperty('validity.valid', undefined);
+    expect(await rate.evaluate((input: HTMLInputElement) => input.validity.valid)).toBe(false);
+  }
+  await expect(app.row('walk-hik-30.bvh')).toContainText('30 Hz');
+  await expect(app.button('Undo')).toBeDisabled();
+});
+
+test('up axis and unit: body height and ground follow', async ({ app, page }) => {
+  const [path = ''] = sampleFiles('walk-hik-30');
+  await app.openWith(path);
+  const body = app.section('Body');
+  await page.getByLabel('Up axis').selectOption('+Z');
+  const sideways = reportOf(path, '--up=+Z');
+  const ground = Math.abs(sideways.ground_height).toFixed(
+    Math.abs(sideways.ground_height) >= 100 ? 1 : Math.abs(sideways.ground_height) >= 10 ? 2 : 3,
+  );
+  await expect(body).toContainText(`${ground} units`);
+  await page.getByLabel('Unit').selectOption('m');
+  await expect(body).toContainText(`units, ${reportOf(path).body.height.toFixed(2)} m`);
+  await page.getByLabel('Unit').selectOption('');
+  await expect(body).not.toContainText(`units, ${reportOf(path).body.height.toFixed(2)} m`);
+  for (const what of ['unit', 'unit', 'up axis']) {
+    await app.button(`Undo: ${what}`).click();
+  }
+  await expect(app.button('Undo')).toBeDisabled();
+  await expect(page.getByLabel('Up axis')).toHaveValue('');
+});
+
+test('a removed clip comes back, with what was decided about it', async ({ app, page }) => {
+  await app.openWith(...sampleFiles('walk-hik-30', 'walk-poser-30'));
+  await app.row('walk-hik-30.bvh').getByRole('button').first().click();
+  await page.getByLabel('Frame rate').fill('24');
+  await page.getByLabel('Frame rate').blur();
+  await expect(app.row('walk-hik-30.bvh')).toContainText('24 Hz');
+  await app.row('walk-hik-30.bvh').hover();
+  await app.button('Remove walk-hik-30.bvh').click();
+  await app.expectNames('walk-poser-30.bvh');
+  await expect(app.openName).toHaveText('walk-poser-30.bvh');
+  await page.locator('.toast').getByRole('button', { name: 'Undo' }).click();
+  await app.expectNames('walk-hik-30.bvh', 'walk-poser-30.bvh');
+  await expect(app.openName).toHaveText('walk-hik-30.bvh');
+  await expect(app.row('walk-hik-30.bvh')).toContainText('24 Hz');
+  await page.keyboard.press('Control+Shift+Z');
+  await app.expectNames('walk-poser-30.bvh');
+
+  await app.row('walk-poser-30.bvh').getByRole('button').first().press('Delete');
+  await expect(app.rows).toHaveCount(0);
+  await expect(page.getByRole('heading', { name: 'See the keyposes of a motion.' })).toBeVisible();
+  await page.keyboard.press('Control+z');
+  await app.expectNames('walk-poser-30.bvh');
+  await expect(app.section('Result')).toContainText('10 keyposes');
+});
+
+test('while a decision is worked on, the old result stays, dimmed, and the page goes on', async ({
+  app,
+  page,
+}) => {
+  const [path = ''] = writeFiles(temporaryFolder(), {
+    'long.bvh': longText('walk-hik-120', 12e6),
+    'short.bvh': sampleBytes('walk-hik-30'),
+  });
+  await app.openWith(path);
+  const before = await app.section('Result').locator('strong').innerText();
+  await page.getByLabel('Frame rate').fill('60');
+  await page.getByLabel('Frame rate').blur();
+  await expect(app.section('Result')).toContainText('updating …');
+  await expect(app.section('Result').locator('strong')).toHaveText(before);
+  await app.settled();
+  await expect(app.row('long.bvh')).toContainText('60 Hz');
+});

@@ -1,0 +1,46 @@
+/** The rows of the library: order, filter, and the keys that walk through them. */
+import { sampleFiles } from './support/motions';
+import { expect, test } from './support/test';
+
+test('sort by every measure, filter, and walk', async ({ app, page }) => {
+  await app.openWith(...sampleFiles('walk-poser-30', 'slow-dance-hik-30', 'walk-hik-30'));
+  const [poser, dance, hik] = ['walk-poser-30.bvh', 'slow-dance-hik-30.bvh', 'walk-hik-30.bvh'];
+  const sort = async (name: string): Promise<void> => {
+    await app.button('Sort').click();
+    await page.getByRole('menuitemradio', { name, exact: true }).click();
+  };
+  await sort('Name');
+  await app.expectNames(dance, hik, poser);
+  await sort('Descending');
+  await app.expectNames(poser, hik, dance);
+  await sort('Keyposes');
+  await app.expectNames(dance, poser, hik);
+  await sort('Ascending');
+  await app.expectNames(poser, hik, dance);
+  await sort('Length');
+  await app.expectNames(poser, hik, dance);
+  await sort('Order of arrival');
+  await app.expectNames(poser, dance, hik);
+
+  await app.row(poser).getByRole('button').first().click();
+  await page.keyboard.press('ArrowDown');
+  await expect(app.openName).toHaveText(dance);
+  await page.keyboard.press('ArrowDown');
+  await expect(app.openName).toHaveText(hik);
+  await expect(app.row(hik).getByRole('button').first()).toBeFocused();
+  await page.keyboard.press('ArrowUp');
+  await expect(app.openName).toHaveText(dance);
+  await expect(page.locator('.clip-open[aria-current="true"]')).toHaveCount(1);
+
+  const filter = page.getByLabel('Filter by name');
+  await filter.fill('WALK 30');
+  await app.expectNames(poser, hik);
+  await expect(page.locator('.library-count')).toHaveText('2 of 3');
+  await filter.fill('ｈｉｋ walk');
+  await app.expectNames(hik);
+  await filter.fill('waltz');
+  await expect(page.locator('.library-nothing')).toHaveText('No clip’s name contains “waltz”.');
+  await expect(app.openName).toHaveText(dance);
+  await app.button('Clear the filter').click();
+  await app.expectNames(poser, dance, hik);
+});
