@@ -6,7 +6,7 @@ import { sampleFiles, sampleBytes, temporaryFolder, writeFiles } from './support
 import { exportOf, keyposeFramesOf, reportOf } from './support/reports';
 import { expect, test } from './support/test';
 
-const buttons = { csv: 'Keyposes (CSV)', json: 'Everything (JSON)' } as const;
+const buttons = { csv: 'Keyposes, CSV', json: 'Everything, JSON' } as const;
 
 /** Presses a button of Export; the file's name and what is in it. */
 async function exported(
@@ -19,7 +19,7 @@ async function exported(
   return { name: file.suggestedFilename(), text: readFileSync(await file.path(), 'utf8') };
 }
 
-test('CSV and JSON, before and after decisions', async ({ app, page }) => {
+test('CSV and JSON, before and after decisions', async ({ app }) => {
   const [path = ''] = sampleFiles('slow-dance-poser-30');
   await app.openWith(path);
   const csv = await exported(app, 'csv');
@@ -38,9 +38,10 @@ test('CSV and JSON, before and after decisions', async ({ app, page }) => {
   expect(json.text).toBe(exportOf(path, 'json'));
 
   const decided = ['--frame-rate-hz', '24', '--leading-rest-frames', '50', '--up=+Z'];
-  await page.getByLabel('Frame rate').fill('24');
-  await page.getByLabel('Leading frames left out').fill('50');
-  await page.getByLabel('Up axis').selectOption('+Z');
+  await app.field('Frame rate').fill('24');
+  await app.field('Leading frames left out').fill('50');
+  await app.field('Leading frames left out').blur();
+  await app.field('Up axis').selectOption('+Z');
   await app.settled();
   const again = await exported(app, 'json');
   expect(again.text).not.toBe(json.text);

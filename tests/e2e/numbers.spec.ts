@@ -39,14 +39,14 @@ async function expectRecording(app: AppPage, report: Report): Promise<void> {
   await expect(recording).toContainText(
     `${english(frames, 0)} · ${english((frames - 1) * step, 1)} s`,
   );
-  const shown = Number(await recording.getByLabel('Frame rate').inputValue());
+  const shown = Number(await recording.getByLabel('Frame rate', { exact: true }).inputValue());
   expect(shown).toBeCloseTo(rate, 3);
-  await expect(recording.getByLabel('Leading frames left out')).toHaveValue(
+  await expect(recording.getByLabel('Leading frames left out', { exact: true })).toHaveValue(
     String(report.leading_rest_frames),
   );
-  await expect(recording.getByLabel('Up axis').locator('option').first()).toHaveText(
-    `${report.up.replace('-', '−')} automatic`,
-  );
+  await expect(
+    recording.getByLabel('Up axis', { exact: true }).locator('option').first(),
+  ).toHaveText(`${report.up.replace('-', '−')} automatic`);
 }
 
 async function expectBody(app: AppPage, { body, ground_height: ground }: Report): Promise<void> {

@@ -3,7 +3,8 @@ import { linkSync, mkdirSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { type Page, expect, test } from '@playwright/test';
-import { runCommand, writeSamples } from '../parity/native';
+import { writeSamples } from '../parity/native';
+import { runCommand } from '../support/command';
 import { type EnginePage, serveEnginePage } from '../support/engine-page';
 import { giveFiles } from './given';
 

@@ -79,6 +79,11 @@ export class AppPage {
     return this.page.getByRole('region', { name: title, exact: true });
   }
 
+  /** The control with this label, and not the button that sets it back. */
+  field(label: string): Locator {
+    return this.page.getByLabel(label, { exact: true });
+  }
+
   /** The frame shown by the transport. */
   async frame(): Promise<number> {
     const text = await this.page.locator('.clock-frame').innerText();

@@ -1,5 +1,6 @@
 /** The clips of the page: filter, order, rows. Only the rows in sight exist. */
 import { html, nothing, type TemplateResult } from 'lit-html';
+import { live } from 'lit-html/directives/live.js';
 import { repeat } from 'lit-html/directives/repeat.js';
 import type { ClipId } from '../engine/types';
 import type { Clip } from '../app/clips';
@@ -90,7 +91,7 @@ function filterField({ words: { t }, filter, onFilter }: LibraryProps): Template
       aria-label=${t('library.filter')}
       aria-keyshortcuts="/"
       placeholder=${t('library.filter')}
-      .value=${filter}
+      .value=${live(filter)}
       @input=${onInput}
       @keydown=${onKey}
     />
