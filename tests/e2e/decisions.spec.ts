@@ -1,5 +1,5 @@
 /** What a person decides about a recording is shown, computed with, and can be undone and redone. */
-import { sampleFiles } from './support/motions';
+import { longText, sampleFiles, temporaryFolder, writeFiles } from './support/motions';
 import { reportOf } from './support/reports';
 import { expect, test } from './support/test';
 
@@ -114,7 +114,8 @@ test('a removed clip comes back, with what was decided about it', async ({ app, 
 });
 
 test('while a decision is worked on, the old result stays, dimmed', async ({ app, page }) => {
-  await app.openWith(...sampleFiles('slow-dance-vrm-120'));
+  const long = { 'long.bvh': longText('walk-hik-120', 12e6) };
+  await app.openWith(...writeFiles(temporaryFolder(), long));
   const before = await app.section('Result').locator('strong').innerText();
   // The page notes for itself what it showed in between.
   await page.evaluate(() => {
@@ -129,7 +130,7 @@ test('while a decision is worked on, the old result stays, dimmed', async ({ app
   });
   await app.field('Frame rate').fill('60');
   await app.field('Frame rate').blur();
-  await expect(app.row('slow-dance-vrm-120.bvh')).toContainText('60 Hz');
+  await expect(app.row('long.bvh')).toContainText('60 Hz');
   const seen = await page.evaluate(() => document.body.dataset['seen']);
   expect(seen).toContain('updating …');
   expect(seen).toContain(before);
