@@ -32,7 +32,8 @@ export default defineConfig({
     locale: 'en-GB',
     colorScheme: 'light',
     actionTimeout: 15_000,
-    trace: 'retain-on-failure',
+    // Without its film, which costs as much as the tests.
+    trace: { mode: 'retain-on-failure', screenshots: false },
     launchOptions: { executablePath: findChromium(), args: chromiumArguments },
   },
   webServer: {

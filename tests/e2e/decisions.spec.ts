@@ -1,5 +1,5 @@
 /** What a person decides about a recording is shown, computed with, and can be undone and redone. */
-import { longText, sampleFiles, temporaryFolder, writeFiles } from './support/motions';
+import { sampleFiles } from './support/motions';
 import { reportOf } from './support/reports';
 import { expect, test } from './support/test';
 
@@ -113,25 +113,22 @@ test('a removed clip comes back, with what was decided about it', async ({ app, 
   await expect(app.section('Result')).toContainText('10 keyposes');
 });
 
-test('while a decision is worked on, the old result stays, dimmed', async ({ app, page }) => {
-  const long = { 'long.bvh': longText('walk-hik-120', 12e6) };
-  await app.openWith(...writeFiles(temporaryFolder(), long));
-  const before = await app.section('Result').locator('strong').innerText();
-  // The page notes for itself what it showed in between.
-  await page.evaluate(() => {
-    new MutationObserver(() => {
-      const dimmed = document.querySelector('.inspector-section.outdated');
-      if (dimmed) document.body.dataset['seen'] = dimmed.textContent;
-    }).observe(document.querySelector('#inspector')!, {
-      subtree: true,
-      childList: true,
-      attributes: true,
-    });
-  });
-  await app.field('Frame rate').fill('60');
+test('while a decision waits for the next one, the old result stays, dimmed', async ({
+  app,
+  page,
+}) => {
+  await page.clock.install();
+  await app.openWith(...sampleFiles('walk-hik-60'));
+  const result = app.section('Result');
+  const before = await result.locator('strong').innerText();
+  await page.clock.pauseAt(Date.now() + 60_000);
+  await app.field('Frame rate').fill('24');
   await app.field('Frame rate').blur();
-  await expect(app.row('long.bvh')).toContainText('60 Hz');
-  const seen = await page.evaluate(() => document.body.dataset['seen']);
-  expect(seen).toContain('updating …');
-  expect(seen).toContain(before);
+  await page.clock.runFor(100);
+  await expect(result).toContainText('updating …');
+  await expect(result.locator('strong')).toHaveText(before);
+  await expect(app.button('Keyposes, CSV')).toBeDisabled();
+  await page.clock.resume();
+  await expect(app.row('walk-hik-60.bvh')).toContainText('24 Hz');
+  await expect(result).not.toContainText('updating …');
 });
