@@ -1,20 +1,87 @@
-// The page by itself: it opens, keeps its own policy, and asks nothing of anyone else.
-import { expect, test } from '@playwright/test';
+/** The page by itself: it opens, keeps its own policy, asks nothing of anyone else, and works anywhere. */
+import { sampleFiles } from './support/motions';
+import { serveUnder } from './support/serve';
+import { expect, test } from './support/test';
 
-test('the page opens without an error and without a request beyond its origin', async ({
-  page,
-  baseURL,
-}) => {
-  const faults: string[] = [];
-  page.on('console', (message) => {
-    if (message.type() === 'error') faults.push(message.text());
-  });
-  page.on('pageerror', (error) => faults.push(error.message));
-  page.on('request', (request) => {
-    const { protocol, origin } = new URL(request.url());
-    if (protocol.startsWith('http') && origin !== baseURL) faults.push(request.url());
-  });
-  await page.goto('/', { waitUntil: 'networkidle' });
-  await expect(page).toHaveTitle(/Keypose/);
+test('the watch of all these tests sees what it watches for', async ({ app, page, faults }) => {
+  await app.open();
+  await page.waitForLoadState('networkidle');
   expect(faults).toEqual([]);
+  await page.evaluate(() => fetch('https://example.com/').catch(() => undefined));
+  await expect.poll(() => faults.join()).toContain('violates');
+  faults.length = 0;
+  await page.evaluate(() => {
+    document.body.insertAdjacentHTML('beforeend', '<p style="color: red">red</p>');
+  });
+  await expect.poll(() => faults.join()).toContain('style');
+  faults.length = 0;
+  await page.evaluate(() => window.open('http://localhost:9/'));
+  await expect.poll(() => faults.join()).toContain('request: http://localhost:9/');
+  faults.length = 0;
+});
+
+test('under a sub-path of any web space: a drop, a sample, workers and wasm', async ({
+  app,
+  page,
+}) => {
+  const served = await serveUnder('/some/path/');
+  await page.goto(`${served.address}?stage=off`);
+  await page.locator('.sample-open').first().click();
+  await app.settled();
+  await app.drop(...sampleFiles('walk-hik-30'));
+  await expect(app.row('walk-hik-30.bvh')).toContainText('10 keyposes');
+  expect(served.missing).toEqual([]);
+  served.close();
+});
+
+test('the samples of the empty page open and play', async ({ app, page }) => {
+  await app.open();
+  const cards = page.locator('.sample-open');
+  await expect(cards).toHaveCount(2);
+  await expect(cards.first()).toContainText(/A slow dance\s*held poses, \d+ keyposes/);
+  await cards.nth(1).click();
+  await app.settled();
+  await expect(app.section('Result')).toContainText(/\d+ keyposes/);
+  await page.keyboard.press('Home');
+  await app.button('Play').click();
+  await expect.poll(() => app.frame()).toBeGreaterThan(10);
+  await app.button('Pause').click();
+});
+
+test('the stage shows a figure that moves', async ({ app, page }) => {
+  await page.setViewportSize({ width: 700, height: 620 });
+  await app.open('');
+  await app.drop(...sampleFiles('walk-hik-30'));
+  const canvas = page.locator('#stage-figure canvas');
+  await expect(app.caption).toContainText('of 10');
+  await expect(canvas).toBeVisible();
+  const drawn = async (): Promise<string> => (await canvas.screenshot()).toString('base64');
+  /** Pixels in a colour: ground and grid are grey, a figure's sides are not. */
+  const figurePixels = async (): Promise<number> =>
+    page.evaluate(
+      async (base64) => {
+        const image = new Image();
+        image.src = `data:image/png;base64,${base64}`;
+        await image.decode();
+        const { width, height } = image;
+        const context = new OffscreenCanvas(width, height).getContext('2d')!;
+        context.drawImage(image, 0, 0);
+        const { data } = context.getImageData(0, 0, width, height);
+        let strong = 0;
+        for (let at = 0; at < data.length; at += 4) {
+          const [red = 0, green = 0, blue = 0] = data.subarray(at, at + 3);
+          if (Math.max(red, green, blue) - Math.min(red, green, blue) > 60) strong += 1;
+        }
+        return strong;
+      },
+      await drawn(),
+    );
+  await expect.poll(figurePixels).toBeGreaterThan(300);
+  await page.keyboard.press('Home');
+  const first = await drawn();
+  await page.keyboard.press('End');
+  await expect.poll(drawn).not.toBe(first);
+  await app.button('Top').click();
+  await expect(app.button('Top')).toHaveAttribute('aria-pressed', 'true');
+  await expect.poll(figurePixels).toBeGreaterThan(100);
 });

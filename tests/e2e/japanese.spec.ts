@@ -1,0 +1,96 @@
+/** Japanese throughout: what can be read or heard on the main views holds no English. */
+import type { Page } from '@playwright/test';
+import { sampleFiles, temporaryFolder, withShortRow, writeFiles } from './support/motions';
+import { expect, test } from './support/test';
+
+/** Names, units and terms that are the same in both languages. */
+const same = [
+  /\bkeypose\b/gi,
+  /\b(BVH|CSV|JSON|CMU|ANOVA|OFFSET|CHANNELS|ROOT|HIERARCHY|MOTION|GitHub)\b/g,
+  /\bMiura et al\. 2014\b/g,
+  /\b(English|Home|End|Shift|Ctrl|Delete|Esc|Enter|Space)\b/g,
+  /\b(Hz|kB|MB|cm|mm|dm)\b/g,
+  /stage=off/g,
+  /\S+\.(bvh|zip|txt)\b/gi,
+];
+
+/** Every text that is seen, and every name, hint and tip. */
+async function texts(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    // Names from the file itself.
+    const names = '.joints td, .clip-name, .fact dd[lang], script, style, [hidden] *';
+    const found: string[] = [];
+    const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_ALL);
+    for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+      const element = node instanceof Element ? node : node.parentElement;
+      if (!element || element.matches('[hidden]') || element.closest(names)) continue;
+      if (node instanceof Text) found.push(node.data.trim());
+      if (!(node instanceof Element)) continue;
+      for (const name of [
+        'aria-label',
+        'title',
+        'placeholder',
+        'data-tip',
+        'alt',
+        'aria-valuetext',
+      ])
+        found.push(node.getAttribute(name) ?? '');
+    }
+    return [...new Set([...found, document.title])].filter(Boolean);
+  });
+}
+
+async function expectNoEnglish(page: Page, ...names: string[]): Promise<void> {
+  const english = (await texts(page)).filter((text) => {
+    const rest = [...same, ...names.map((name) => new RegExp(name, 'g'))].reduce(
+      (left, pattern) => left.replace(pattern, ''),
+      text,
+    );
+    return /[A-Za-z]{3,}/.test(rest);
+  });
+  expect(english).toEqual([]);
+}
+
+test('the switch turns every view to Japanese and back, and stays', async ({ app, page }) => {
+  await app.open();
+  await expect(page.locator('html')).toHaveAttribute('lang', 'en');
+  await page.getByRole('button', { name: '日本語' }).click();
+  await expect(page.locator('html')).toHaveAttribute('lang', 'ja');
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText('動きのキーポーズが見える。');
+  await expect(page.locator('.sample-open')).toHaveCount(2);
+  await expectNoEnglish(page);
+
+  const broken = writeFiles(temporaryFolder(), { 'broken.bvh': withShortRow('walk-hik-30').text });
+  await app.drop(...sampleFiles('slow-dance-vrm-30', 'walk-poser-30'), ...broken);
+  await app.settled();
+  await expect(page.locator('.clip.ready')).toHaveCount(2);
+  const pelvis = await page.locator('.fact dd').last().innerText();
+  await expectNoEnglish(page, pelvis);
+  await app.row('walk-poser-30.bvh').getByRole('button').first().click();
+  await page.locator('#override-leadingRestFrames').fill('5');
+  await page.locator('#override-leadingRestFrames').blur();
+  await app.settled();
+  await expectNoEnglish(page, await page.locator('.fact dd').last().innerText());
+  await app.row('broken.bvh').getByRole('button').first().click();
+  await expect(page.getByRole('alert')).toContainText('このファイルは読み込めませんでした');
+  await expectNoEnglish(page);
+  await page.keyboard.press('?');
+  await expect(page.getByRole('dialog', { name: 'キーボード操作' })).toBeVisible();
+  await expectNoEnglish(page);
+  await page.keyboard.press('Escape');
+
+  await page.reload();
+  await expect(page.locator('html')).toHaveAttribute('lang', 'ja');
+  await page.getByRole('button', { name: 'English' }).click();
+  await expect(page.locator('html')).toHaveAttribute('lang', 'en');
+});
+
+test.describe('a Japanese browser', () => {
+  test.use({ locale: 'ja-JP' });
+  test('is met in Japanese', async ({ app, page }) => {
+    await app.openWith(...sampleFiles('walk-hik-30'));
+    await expect(page.locator('html')).toHaveAttribute('lang', 'ja');
+    await expect(app.caption).toContainText('キーポーズ 1 / 10');
+    await expect(app.section('結果')).toContainText('キーポーズ 10 個');
+  });
+});
