@@ -32,6 +32,22 @@ test('both languages name the same places', () => {
   }
 });
 
+/** Signs, units, keys and the product's name. */
+const sameInBoth = [
+  /^unit\.(seconds|hertz|s|m|dm|cm|mm)$/,
+  /^key\./,
+  /^top\.(place|bar)$/,
+  /^transport\.(last|times)$/,
+];
+
+test('what reads the same in both languages does so on purpose', () => {
+  const same = Object.entries(en).filter(
+    ([key, message]) => JSON.stringify(message) === JSON.stringify(ja[key as keyof typeof en]),
+  );
+  const unintended = same.filter(([key]) => !sameInBoth.some((known) => known.test(key)));
+  expect(unintended).toEqual([]);
+});
+
 test('no sentence is empty', () => {
   for (const book of [en, ja, englishNotes, englishFailures, japaneseNotes, japaneseFailures]) {
     for (const message of Object.values(book)) {
