@@ -18,7 +18,8 @@ const same = [
 async function texts(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     // Names from the file itself.
-    const names = '.joints td:not(.joint-source), .clip-name, .fact dd[lang], script, style, [hidden] *';
+    const names =
+      '.joints td:not(.joint-source), .clip-name, .fact dd[lang], script, style, [hidden] *';
     const found: string[] = [];
     const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_ALL);
     for (let node = walker.nextNode(); node; node = walker.nextNode()) {

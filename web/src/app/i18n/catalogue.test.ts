@@ -34,7 +34,7 @@ test('both languages name the same places', () => {
 
 /** Signs, units, keys and the product's name. */
 const sameInBoth = [
-  /^unit\.(seconds|hertz|s|m|dm|cm|mm)$/,
+  /^unit\.(seconds|hertz|s|m|dm|cm|mm|cmu)$/,
   /^key\./,
   /^top\.(place|bar)$/,
   /^transport\.(last|times)$/,
