@@ -1,7 +1,10 @@
 /** The page by itself: it opens, keeps its own policy, asks nothing of anyone else, and works anywhere. */
+import { join } from 'node:path';
+import { serveFolder } from '../support/static-server';
 import { sampleFiles } from './support/motions';
-import { serveUnder } from './support/serve';
 import { expect, test } from './support/test';
+
+const dist = join(import.meta.dirname, '..', '..', 'dist');
 
 test('the watch of all these tests sees what it watches for', async ({ app, page, faults }) => {
   await app.open();
@@ -20,18 +23,23 @@ test('the watch of all these tests sees what it watches for', async ({ app, page
   faults.length = 0;
 });
 
-test('under a sub-path of any web space: a drop, a sample, workers and wasm', async ({
-  app,
-  page,
-}) => {
-  const served = await serveUnder('/some/path/');
-  await page.goto(`${served.address}?stage=off`);
-  await page.locator('.sample-open').first().click();
-  await app.settled();
-  await app.drop(...sampleFiles('walk-hik-30'));
-  await expect(app.row('walk-hik-30.bvh')).toContainText('10 keyposes');
-  expect(served.missing).toEqual([]);
-  served.close();
+test('under a path of a host that is nothing but a folder of files', async ({ app, page }) => {
+  const host = await serveFolder(dist, '/museum/dances/');
+  const missing: string[] = [];
+  page.on('response', (response) => {
+    if (!response.ok()) missing.push(response.url());
+  });
+  try {
+    await page.goto(host.address);
+    await page.locator('.sample-open').first().click();
+    await expect(page.locator('.keypose-card').first()).toBeVisible();
+    await expect(page.locator('canvas').first()).toBeVisible();
+    await app.drop(...sampleFiles('walk-hik-30'));
+    await expect(app.row('walk-hik-30.bvh')).toContainText('10 keyposes');
+    expect(missing).toEqual([]);
+  } finally {
+    await host.stop();
+  }
 });
 
 test('the samples of the empty page open and play', async ({ app, page }) => {
