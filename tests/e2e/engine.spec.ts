@@ -68,7 +68,11 @@ test('cancels a long file within 200 ms, without a long task on the page', async
 });
 
 test('unpacks an archive in a worker', async ({ page }) => {
-  const archive = zipSync({ 'dances/踊り.bvh': strToU8('HIERARCHY'), 'a.txt': strToU8('') });
+  const archive = zipSync({
+    'dances/踊り.bvh': strToU8('HIERARCHY'),
+    'a.txt': strToU8(''),
+    'last.bvh': strToU8('HIERARCHY'),
+  });
   await page.route('**/archive.zip', (route) => route.fulfill({ body: Buffer.from(archive) }));
   await page.goto(served.address);
   const entries = await page.evaluate(async () => {
@@ -79,7 +83,7 @@ test('unpacks an archive in a worker', async ({ page }) => {
     });
     return found;
   });
-  expect(entries).toEqual(['dances|踊り.bvh|9']);
+  expect(entries).toEqual(['dances|踊り.bvh|9', '|last.bvh|9']);
 });
 
 test('names the file whose worker dies, and goes on with a new one', async ({ page }) => {

@@ -108,8 +108,8 @@ export class ClipWorker implements WorkerApi {
   unzip(job: JobId, archive: Blob): Promise<Outcome<null>> {
     return this.outcome(job, null, async () => {
       await unzipMotions(archive, {
-        entry: (entry) => this.listener?.entry(job, entry),
-        entryFailure: (name, failure) => this.listener?.entryFailure(job, name, failure),
+        entry: async (entry) => this.listener?.entry(job, entry),
+        entryFailure: async (name, failure) => this.listener?.entryFailure(job, name, failure),
         progress: (done) => this.tell(job, { stage: 'reading', done }),
         turn: () => this.jobs.turn(job),
       });

@@ -1,4 +1,5 @@
 /** The engine with workers of this thread and the real core. */
+import { strToU8, zipSync } from 'fflate';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
 import { createEngine, workerCount } from './engine';
 import type { Core } from './raw';
@@ -228,5 +229,15 @@ describe('number of workers', () => {
     expect(workerCount('?workers=0', 2)).toBe(2);
     expect(workerCount('?workers=many', 2)).toBe(2);
     expect(workerCount('?workers=1000', 2)).toBe(8);
+  });
+});
+
+describe('an archive', () => {
+  it('has handed out every entry when it is done', async () => {
+    const names = Array.from({ length: 20 }, (_, index) => `${index}.bvh`);
+    const archive = zipSync(Object.fromEntries(names.map((name) => [name, strToU8(name)])));
+    const given: string[] = [];
+    await engineOf().unzip(new Blob([archive]), ({ name }) => given.push(name));
+    expect(given).toEqual(names);
   });
 });

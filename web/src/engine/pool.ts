@@ -285,8 +285,14 @@ export class Pool {
     };
     return {
       progress: (job, progress) => taskOf(job)?.progress?.(progress),
-      entry: (job, entry) => taskOf(job)?.entry?.(entry),
-      entryFailure: (job, name, failure) => taskOf(job)?.entryFailure?.(name, failure),
+      entry: (job, entry) => {
+        taskOf(job)?.entry?.(entry);
+        return Promise.resolve();
+      },
+      entryFailure: (job, name, failure) => {
+        taskOf(job)?.entryFailure?.(name, failure);
+        return Promise.resolve();
+      },
     };
   }
 

@@ -51,8 +51,9 @@ export interface UnpackedEntry {
 /** What a worker says in the middle of a job. */
 export interface WorkerListener {
   progress(job: JobId, progress: Progress): void;
-  entry(job: JobId, entry: UnpackedEntry): void;
-  entryFailure(job: JobId, name: string, failure: Failure): void;
+  /** Settled once it is taken: an outcome travels another way, and must not overtake it. */
+  entry(job: JobId, entry: UnpackedEntry): Promise<void>;
+  entryFailure(job: JobId, name: string, failure: Failure): Promise<void>;
 }
 
 /** What a worker does. Every method but `cancel`, `close` and `dropMotion` ends with an outcome. */

@@ -11,8 +11,8 @@ async function unpacked(archive: Uint8Array<ArrayBuffer>, limits?: UnzipLimits) 
   await unzipMotions(
     new Blob([archive]),
     {
-      entry: (entry) => entries.push(entry),
-      entryFailure: (name, failure) => failures.push([name, failure.kind]),
+      entry: (entry) => Promise.resolve(void entries.push(entry)),
+      entryFailure: (name, failure) => Promise.resolve(void failures.push([name, failure.kind])),
       progress: (done) => progress.push(done),
       turn: () => Promise.resolve(),
     },

@@ -9,8 +9,9 @@ import type { Failure } from './types';
 import { type ZipEntry, ZipError, packedBytesOf, readDirectory } from './zip-directory';
 
 export interface UnzipListener {
-  entry(entry: UnpackedEntry): void;
-  entryFailure(name: string, failure: Failure): void;
+  /** Settled once the entry has arrived. */
+  entry(entry: UnpackedEntry): Promise<void>;
+  entryFailure(name: string, failure: Failure): Promise<void>;
   /** 0 to 1. */
   progress(done: number): void;
   /** Lets messages in; throws when the work is cancelled. */
@@ -50,7 +51,7 @@ export async function unzipMotions(
     const blob = await unpackOrReport(archive, entry, limit, listener);
     if (blob !== null) {
       left -= blob.size;
-      listener.entry({ ...splitPath(entry.path), blob });
+      await listener.entry({ ...splitPath(entry.path), blob });
     }
     packedDone += entry.packedBytes;
     listener.progress(packedTotal === 0 ? 1 : packedDone / packedTotal);
@@ -77,7 +78,7 @@ async function unpackOrReport(
     return await unpack(archive, entry, limit, listener);
   } catch (error) {
     if (!(error instanceof ZipError)) throw error;
-    listener.entryFailure(entry.path, failureOf(error.kind));
+    await listener.entryFailure(entry.path, failureOf(error.kind));
     return null;
   }
 }
