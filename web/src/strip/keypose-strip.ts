@@ -1,5 +1,6 @@
 /** The keypose strip: one figure for each keypose in reading order, tied by threads to the pins. */
 import './keypose-strip.css';
+import { element } from '../common/element';
 import type { KeyposeResult, PerformerResult } from '../engine/types';
 import { drawFlatFigure } from '../figure/draw-flat-figure';
 import { type FlatFigure, flatFigure } from '../figure/flat-figure';
@@ -55,7 +56,7 @@ export class KeyposeStrip {
   private readonly observer: ResizeObserver;
   private buttons = new Map<number, HTMLButtonElement>();
   private threadOf = new Map<number, SVGPathElement>();
-  private figures: readonly FlatFigure[] = [];
+  private figures = new Map<number, FlatFigure>();
 
   constructor(
     target: HTMLElement,
@@ -73,17 +74,15 @@ export class KeyposeStrip {
     target.append(this.root);
     this.observer = new ResizeObserver(() => this.layout());
     this.observer.observe(this.area);
-    this.shape();
+    this.layout();
   }
 
   /** Takes new properties and redraws what depends on them. */
   update(changes: Partial<StripProps>): void {
     const before = this.props;
     this.props = { ...before, ...changes };
-    if (this.props.poses !== before.poses || this.props.performer !== before.performer)
-      this.shape();
-    else if (this.props.keyposes !== before.keyposes || this.props.text !== before.text)
-      this.layout();
+    const placed = ['frames', 'keyposes', 'performer', 'poses', 'text'] as const;
+    if (placed.some((key) => this.props[key] !== before[key])) this.layout();
     else if (this.props.currentKeypose !== before.currentKeypose) this.markCurrent();
   }
 
@@ -92,19 +91,17 @@ export class KeyposeStrip {
     this.root.remove();
   }
 
-  /** Makes the figures anew, then places them. */
-  private shape(): void {
+  /** The figures of the cards alone: an hour of motion has thousands of keyposes. */
+  private figuresOf(cards: readonly Card[]): Map<number, FlatFigure> {
     const { performer, poses } = this.props;
     const width = 3 * performer.skeleton.parents.length;
-    const count = poses === null ? 0 : poses.length / width;
-    this.figures = Array.from({ length: count }, (_, index) =>
-      flatFigure(
-        poses!.subarray(index * width, (index + 1) * width),
-        performer,
-        performer.sideYawRad,
-      ),
-    );
-    this.layout();
+    const figures = new Map<number, FlatFigure>();
+    for (const { keypose } of poses === null ? [] : cards) {
+      const pose = poses!.subarray(keypose * width, (keypose + 1) * width);
+      if (pose.length === width)
+        figures.set(keypose, flatFigure(pose, performer, performer.sideYawRad));
+    }
+    return figures;
   }
 
   private layout(): void {
@@ -118,6 +115,7 @@ export class KeyposeStrip {
     const pinX = at.map((frame) => axis.x(frame));
     const { cards, cardWidth } = layoutStrip(pinX, intensitiesOf(keyposes), axis.width);
     this.writeGutter(cards.length, at.length);
+    this.figures = this.figuresOf(cards);
     this.placeThreads(cards, pinX, axis.width);
     this.placeCards(cards, cardWidth, at);
     this.markCurrent();
@@ -134,7 +132,7 @@ export class KeyposeStrip {
 
   private placeCards(cards: readonly Card[], width: number, frames: readonly number[]): void {
     const focused = [...this.buttons].find(([, button]) => button === document.activeElement)?.[0];
-    const scale = stripScale(this.figures, width);
+    const scale = stripScale([...this.figures.values()], width);
     this.buttons = new Map(
       cards.map((card) => [card.keypose, this.card(card, width, scale, frames)]),
     );
@@ -168,7 +166,7 @@ export class KeyposeStrip {
     picture.setAttribute('aria-hidden', 'true');
     picture.setAttribute('width', String(width));
     picture.setAttribute('height', String(GROUND_Y + 8));
-    const figure = this.figures[card.keypose];
+    const figure = this.figures.get(card.keypose);
     if (figure !== undefined) {
       const x = width / 2 - (scale * (figure.minX + figure.maxX)) / 2;
       drawFlatFigure(picture, figure, { scale, x, groundY: GROUND_Y });
@@ -239,10 +237,4 @@ function cardLabel(text: StripText, keypose: number, timeS: number, width: numbe
   number.textContent = text.count(keypose + 1);
   label.append(number, ` ${text.seconds(timeS, labelDigits(keypose + 1, timeS, width))}`);
   return label;
-}
-
-function element(name: string, className: string): HTMLElement {
-  const node = document.createElement(name);
-  node.className = className;
-  return node;
 }

@@ -1,5 +1,6 @@
 /** The timeline of one clip: pins, ruler and motion speed on one axis, with playhead and hover. */
 import './timeline.css';
+import { element } from '../common/element';
 import type { KeyposeResult } from '../engine/types';
 import { Axis, GUTTER_WIDTH } from './axis';
 import { layoutPins } from './pin-layout';
@@ -230,10 +231,4 @@ const FLAG_HALF_WIDTH = 26;
 /** The frames of the keyposes, in time order. */
 export function keyposeFrames(keyposes: KeyposeResult): Int32Array {
   return keyposes.keyposes.map((candidate) => keyposes.candidates[candidate]);
-}
-
-function element(name: string, className: string): HTMLElement {
-  const node = document.createElement(name);
-  node.className = className;
-  return node;
 }
