@@ -56,6 +56,24 @@ test('a cancel takes out what has not been read and keeps what has', async () =>
   expect(store.present.value.map((clip) => clip.source.name)).toEqual(['a.bvh']);
 });
 
+test('what is given right after a cancel is read, also what the cancel took out', async () => {
+  const { store, loader, reports } = setUp((id, signal) =>
+    id > 0
+      ? Promise.resolve()
+      : new Promise((_, reject) => {
+          signal.addEventListener('abort', () => reject(new DOMException('', 'AbortError')));
+        }),
+  );
+  const cancelled = loader.add([source('a.bvh')]);
+  await Promise.resolve();
+  loader.cancel();
+  const again = loader.add([source('a.bvh'), source('b.bvh')]);
+  await Promise.all([cancelled, again]);
+  expect(store.present.value.map((clip) => clip.source.name)).toEqual(['a.bvh', 'b.bvh']);
+  expect(reports.map((report) => report.cancelled).sort()).toEqual([false, true]);
+  expect(store.loading.value).toBeNull();
+});
+
 test('what is no motion is told, what is a bad archive too', async () => {
   const { loader, reports } = setUp();
   await loader.take([

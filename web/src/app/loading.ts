@@ -44,6 +44,7 @@ interface Batch {
   readonly known: ClipId[];
   readonly pending: Set<Promise<void>>;
   searching: number;
+  ended: boolean;
 }
 
 export interface LoaderParts {
@@ -68,6 +69,7 @@ function newBatch(startedMs: number): Batch {
     known: [],
     pending: new Set(),
     searching: 0,
+    ended: false,
   };
 }
 
@@ -95,8 +97,15 @@ class BatchLoader implements Loader {
     });
   }
 
+  /** What is given from now on is a batch of its own, also while the cancelled one still ends. */
   cancel(): void {
-    this.batch?.abort.abort();
+    const { batch } = this;
+    if (!batch) return;
+    this.batch = null;
+    if (this.timer !== null) clearTimeout(this.timer);
+    this.timer = null;
+    batch.abort.abort();
+    this.takeOutUnread(batch);
   }
 
   /** Runs a search for files in the current batch; the last one out ends the batch. */
@@ -111,7 +120,7 @@ class BatchLoader implements Loader {
     batch.searching -= 1;
     this.tell(batch);
     while (batch.pending.size > 0) await Promise.all(batch.pending);
-    if (batch.searching === 0 && this.batch === batch) this.end(batch);
+    if (batch.searching === 0 && !batch.ended) this.end(batch);
   }
 
   private eventsOf(batch: Batch): IntakeEvents {
@@ -203,15 +212,21 @@ class BatchLoader implements Loader {
     };
   }
 
+  private takeOutUnread(batch: Batch): void {
+    const { store } = this.parts;
+    const unread = batch.clips.filter((id) => isBusy(store.clips.peek()[id]));
+    together(() => {
+      for (const id of unread) patchClip(store, id, { removed: true });
+      if (this.batch === null) store.loading.value = null;
+    });
+  }
+
   private end(batch: Batch): void {
     const { store, onEnd } = this.parts;
-    this.batch = null;
+    batch.ended = true;
+    if (this.batch === batch) this.batch = null;
+    this.takeOutUnread(batch);
     const clips = batch.clips.map((id) => store.clips.peek()[id]);
-    const unread = clips.filter(isBusy);
-    together(() => {
-      for (const { id } of unread) patchClip(store, id, { removed: true });
-      store.loading.value = null;
-    });
     onEnd({
       cancelled: batch.abort.signal.aborted,
       clips: clips.filter((clip) => !isBusy(clip)).map(({ id }) => id),
