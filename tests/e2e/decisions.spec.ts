@@ -55,6 +55,23 @@ test('leading frames: taken, left out of the result, and back to automatic', asy
   await expect(app.section('Notes')).not.toContainText('by hand');
 });
 
+test('a refused value does not follow to another clip, nor outlive an undo', async ({ app }) => {
+  await app.openWith(...sampleFiles('walk-hik-60'), ...sampleFiles('slow-dance-hik-30'));
+  const rate = app.field('Frame rate');
+  await rate.fill('24');
+  await rate.blur();
+  await app.settled();
+  await rate.fill('-3');
+  await rate.blur();
+  await app.button('Undo: frame rate').click();
+  await expect(rate).toHaveValue('60');
+  await rate.fill('-3');
+  await rate.blur();
+  await app.row('slow-dance-hik-30.bvh').click();
+  await expect(rate).toHaveValue('30');
+  expect(await rate.evaluate((input: HTMLInputElement) => input.validationMessage)).toBe('');
+});
+
 test('a value that cannot be is not taken', async ({ app }) => {
   await app.openWith(...sampleFiles('walk-hik-30'));
   const rate = app.field('Frame rate');

@@ -4,6 +4,7 @@ import { lengthOf, type Clip } from '../app/clips';
 import type { DecisionKey } from '../app/decisions';
 import type { Words } from '../app/i18n/catalogue';
 import { iconButton } from '../common/buttons';
+import { drawn } from '../common/directives';
 import { lengthText } from '../library/row';
 import type { ClipResult, Decisions, PerformerResult, UnitName, UpAxis } from '../engine/types';
 import { fact, section } from './section';
@@ -58,7 +59,7 @@ interface NumberField {
   readonly wrong: string;
 }
 
-function numberField({ onDecide }: RecordingProps, field: NumberField): TemplateResult {
+function numberField({ clip, onDecide }: RecordingProps, field: NumberField): TemplateResult {
   const onChange = (event: Event): void => {
     const input = event.target as HTMLInputElement;
     input.setCustomValidity('');
@@ -67,6 +68,12 @@ function numberField({ onDecide }: RecordingProps, field: NumberField): Template
     if (valid) onDecide(field.key, input.valueAsNumber);
     else input.reportValidity();
   };
+  // Whatever was written before, a refused number too, belongs to another clip or another result.
+  const show = (element: Element): void => {
+    const input = element as HTMLInputElement;
+    input.value = String(field.value);
+    input.setCustomValidity('');
+  };
   return html`<span class="value">
     <input
       id=${`override-${field.key}`}
@@ -74,8 +81,8 @@ function numberField({ onDecide }: RecordingProps, field: NumberField): Template
       min=${field.least}
       max=${field.most}
       step=${field.step}
-      .value=${String(field.value)}
       @change=${onChange}
+      ${drawn(`${clip.id} ${field.value}`, show)}
     />
     ${field.unit ? html`<span class="value-unit">${field.unit}</span>` : nothing}
   </span>`;
