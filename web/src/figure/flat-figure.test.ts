@@ -15,6 +15,11 @@ describe('flatFigure', () => {
     expect(figure.minX).toBeCloseTo(-figure.maxX, 6);
   });
 
+  it('draws nothing of a body that is farther than 32 bits reach', () => {
+    const beyond = standingPose.map(() => 1e308);
+    expect(flatFigure(beyond, human, FRONT).limbs).toEqual([]);
+  });
+
   it('keeps the ground line when the body leaps and wanders', () => {
     const standing = flatFigure(standingPose, human, FRONT);
     const leaping = standingPose.map((value, i) => value + [6, 0.5, -4][i % 3]);

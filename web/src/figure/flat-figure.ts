@@ -98,13 +98,16 @@ function gatherLimbs(
   const limbs = new Map<number, Gathering>();
   const human = bones.some((bone) => bone.side !== 'trunk');
   bones.forEach((bone, i) => {
+    // Places beyond what 32 bits hold cannot be drawn.
+    const first = i * CONE_STRIDE;
+    if (!cones.subarray(first, first + CONE_STRIDE).every(Number.isFinite)) return;
     // Plain bones are one outline: halos would cut it into dashes.
     const number = human ? bone.limb : LIMBS.trunk;
     let limb = limbs.get(number);
     if (!limb)
       limbs.set(number, (limb = { side: bone.side, limb: number, cones: [], depthSum: 0 }));
-    limb.depthSum += projection.ball(cones, i * CONE_STRIDE, limb.cones);
-    limb.depthSum += projection.ball(cones, i * CONE_STRIDE + 4, limb.cones);
+    limb.depthSum += projection.ball(cones, first, limb.cones);
+    limb.depthSum += projection.ball(cones, first + 4, limb.cones);
   });
   return [...limbs.values()];
 }
