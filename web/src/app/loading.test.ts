@@ -1,12 +1,16 @@
 import { expect, test } from 'vitest';
+import { EngineError, type Engine } from '../engine/types';
 import { createLoader, type BatchReport } from './loading';
 import { createStore, patchClip } from './store';
 
-function setUp(open: (id: number, signal: AbortSignal) => Promise<void> = () => Promise.resolve()) {
+function setUp(
+  open: (id: number, signal: AbortSignal) => Promise<void> = () => Promise.resolve(),
+  unzip: Engine['unzip'] = () => Promise.reject(new Error('no')),
+) {
   const store = createStore();
   const reports: BatchReport[] = [];
   const loader = createLoader({
-    engine: { unzip: () => Promise.reject(new Error('no')) },
+    engine: { unzip },
     store,
     analysis: {
       open: async (id, signal) => {
@@ -82,4 +86,15 @@ test('what is no motion is told, what is a bad archive too', async () => {
   ]);
   expect(reports[0]?.others).toEqual(['notes.txt']);
   expect(reports[0]?.archives[0]?.failure.kind).toBe('internal');
+});
+
+test('an entry that cannot be unpacked is a row with its name and its folder', async () => {
+  const failure = { kind: 'archive-entry-encrypted', line: null, column: null, details: [] };
+  const { store, loader } = setUp(undefined, (_archive, _onEntry, work) => {
+    work?.onFailure?.(new EngineError(failure, 'set/dances/a.bvh'));
+    return Promise.resolve();
+  });
+  await loader.take([{ file: file('set.zip'), folder: '' }]);
+  expect(store.present.value[0]?.source).toMatchObject({ name: 'a.bvh', folder: 'set/dances' });
+  expect(store.present.value[0]?.status).toBe('failed');
 });

@@ -182,7 +182,9 @@ class BatchLoader implements Loader {
   /** An entry of an archive that could not be unpacked: a row with its reason. */
   private refuse(batch: Batch, { fileName, failure }: EngineError): void {
     const { store } = this.parts;
-    const { id } = addClip(store, { name: fileName, folder: '', blob: new Blob() });
+    const end = fileName.lastIndexOf('/');
+    const folder = fileName.slice(0, Math.max(0, end));
+    const { id } = addClip(store, { name: fileName.slice(end + 1), folder, blob: new Blob() });
     patchClip(store, id, { status: 'failed', failure });
     batch.clips.push(id);
   }
