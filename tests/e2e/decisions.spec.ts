@@ -46,7 +46,7 @@ test('leading frames: taken, left out of the result, and back to automatic', asy
   await field.blur();
   const decided = reportOf(path, '--leading-rest-frames', '100');
   await expect(app.section('Result')).toContainText(`${decided.keyposes.length} keyposes`);
-  await expect(app.section('Notes')).toContainText('100 leading frames were left out by hand.');
+  await expect(app.section('Notes')).toContainText('Leading frames left out by hand: 100.');
   await page.keyboard.press('Home');
   await expect(app.caption).toContainText('leading rest pose, left out');
   await app.button('Back to automatic: Leading frames left out').click();

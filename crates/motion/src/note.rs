@@ -121,7 +121,7 @@ sentence_kinds! {
     FrameTimeIsRate "frame-time-is-rate" "The frame time {0} was taken as frames per second.";
     FrameTimeIsMilliseconds "frame-time-is-milliseconds" "The frame time {0} was taken as milliseconds.";
     FrameTimeIsSeconds "frame-time-is-seconds" "The frame time {0} was taken as seconds, though it is long.";
-    NotANumber "not-a-number" "{0} values are not numbers (first: {1}); the joints hold their previous value.";
+    NotANumber "not-a-number" "Values that are not numbers: {0} (first: {1}); the joints hold their previous value.";
     DecimalComma "decimal-comma" "Numbers are written with a decimal comma; it was read as a point.";
     ChannelCount "channel-count" "CHANNELS of {0} says {1}, {2} names follow; the names were counted.";
     MissingEndSite "missing-end-site" "{0} has no End Site.";
@@ -132,7 +132,7 @@ sentence_kinds! {
     UnknownLine "unknown-line" "A line was not understood and ignored: {0}";
     FurtherNotes "further-notes" "{0} more notes of the kind “{1}” were left out.";
     NoMotion "no-motion" "The file has no motion; only the skeleton is shown.";
-    TooShort "too-short" "{0} frames are too few to find keyposes.";
+    TooShort "too-short" "Too few frames to find keyposes: {0}.";
     NotHuman "not-human" "This is not a human body ({0}); all joints are analysed in root coordinates, and it is not compared with human motions.";
     Mirrored "mirrored" "Left and right look swapped against the direction of feet and knees; the names were kept.";
     EndEffectorFallback "end-effector-fallback" "{0} has no usable end; {1} stands for it.";
@@ -143,10 +143,10 @@ sentence_kinds! {
     RestIsNoBody "rest-is-no-body" "The OFFSETs are no standing body; the trunk's length was taken from the motion.";
     NoLeftAndRight "no-left-and-right" "There is no left and right in the hips; root coordinates were used.";
     TrunkFromMotion "trunk-from-motion" "The trunk's direction in the OFFSETs is unusable; the mean of the motion was used.";
-    LeadingTPose "leading-t-pose" "A T-pose stands before the motion: {0} leading frames were left out.";
-    LeadingBlendedTPose "leading-blended-t-pose" "A T-pose is blended into the motion: {0} leading frames were left out.";
+    LeadingTPose "leading-t-pose" "A T-pose stands before the motion; leading frames left out: {0}.";
+    LeadingBlendedTPose "leading-blended-t-pose" "A T-pose is blended into the motion; leading frames left out: {0}.";
     LeadingJump "leading-jump" "The motion begins with a jump: frame 0 was left out.";
-    LeadingByHand "leading-by-hand" "{0} leading frames were left out by hand.";
+    LeadingByHand "leading-by-hand" "Leading frames left out by hand: {0}.";
     Discontinuity "discontinuity" "The motion jumps here: a step of {0} body heights in one frame.";
     LowPassLeftOut "low-pass-left-out" "The cut-off of {0} Hz is not below half the frame rate; the low-pass filter was left out.";
     ScalesLeftOut "scales-left-out" "Time scales at or above half the frame rate were left out; the finest is {0} Hz.";

@@ -545,7 +545,7 @@ fn a_joint_holds_its_value_where_there_is_no_number() {
         clip.frame_values(0, 1),
         [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.5]
     );
-    let expected = "15:17 not-a-number: 6 values are not numbers (first: nan); the joints hold their previous value.";
+    let expected = "15:17 not-a-number: Values that are not numbers: 6 (first: nan); the joints hold their previous value.";
     assert_eq!(notes(&clip), [expected]);
     assert_eq!(clip.notes[0].frame, Some(0));
 }
@@ -555,7 +555,7 @@ fn a_motion_may_begin_without_a_number() {
     for end in ["\n", ""] {
         let clip = clip(with_rows(1, &format!(" NaN 2 3 4 5 6 7 8 9.5{end}")));
         assert_eq!(clip.frame_values(0, 0)[..3], [0.0, 2.0, 3.0]);
-        let expected = "15:2 not-a-number: 1 values are not numbers (first: NaN); the joints hold their previous value.";
+        let expected = "15:2 not-a-number: Values that are not numbers: 1 (first: NaN); the joints hold their previous value.";
         assert_eq!(notes(&clip), [expected]);
     }
 }

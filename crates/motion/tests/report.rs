@@ -79,7 +79,7 @@ fn a_motion_too_short_is_a_line_that_says_so() {
     let line = with_subject(&text, "short.bvh", |subject| json_lines(subject, &[]));
     let tail = "\"candidates\":[],\"keyposes\":[],\"clusters\":0,\"anova\":null,\"sureness\":null,\
         \"unanalysed\":{\"line\":null,\"column\":null,\"frame\":null,\"kind\":\"too-short\",\
-        \"message\":\"1 frames are too few to find keyposes.\"},\"feature\":null}\n";
+        \"message\":\"Too few frames to find keyposes: 1.\"},\"feature\":null}\n";
     assert!(line.ends_with(tail), "{line}");
     assert_eq!(with_subject(&text, "short.bvh", csv::rows), "");
 }

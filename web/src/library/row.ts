@@ -75,7 +75,10 @@ function facts({ words, clip }: RowProps): TemplateResult {
       aria-label=${stage}
     ></progress>`;
   }
-  if (clip.result.frames < 2) return html`<span class="clip-facts">${t('library.skeleton')}</span>`;
+  if (clip.result.frames < 2) {
+    const what = t(clip.result.frames === 1 ? 'library.pose' : 'library.skeleton');
+    return html`<span class="clip-facts">${what}</span>`;
+  }
   const length = lengthText(words, lengthOf(clip.result));
   const rate = t('unit.hertz', format.short(1 / clip.result.frameTimeS, 2));
   return html`<span class="clip-facts">${length} · ${rate}</span>`;

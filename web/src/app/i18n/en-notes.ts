@@ -24,7 +24,8 @@ export const englishNotes: Readonly<Record<string, string>> = {
   'frame-time-is-rate': 'The frame time {0} was taken as frames per second.',
   'frame-time-is-milliseconds': 'The frame time {0} was taken as milliseconds.',
   'frame-time-is-seconds': 'The frame time {0} was taken as seconds, though it is long.',
-  'not-a-number': '{0} values are not numbers (first: {1}); the joints hold their previous value.',
+  'not-a-number':
+    'Values that are not numbers: {0} (first: {1}); the joints hold their previous value.',
   'decimal-comma': 'Numbers are written with a decimal comma; it was read as a point.',
   'channel-count': 'CHANNELS of {0} says {1}, {2} names follow; the names were counted.',
   'missing-end-site': '{0} has no End Site.',
@@ -36,7 +37,7 @@ export const englishNotes: Readonly<Record<string, string>> = {
   'unknown-line': 'A line was not understood and ignored: {0}',
   'further-notes': '{0} more notes of the kind “{1}” were left out.',
   'no-motion': 'The file has no motion; only the skeleton is shown.',
-  'too-short': '{0} frames are too few to find keyposes.',
+  'too-short': 'Too few frames to find keyposes: {0}.',
   'not-human':
     'This is not a human body ({0}); all joints are analysed in root coordinates, and it is not compared with human motions.',
   mirrored:
@@ -55,11 +56,10 @@ export const englishNotes: Readonly<Record<string, string>> = {
   'no-left-and-right': 'There is no left and right in the hips; root coordinates were used.',
   'trunk-from-motion':
     "The trunk's direction in the OFFSETs is unusable; the mean of the motion was used.",
-  'leading-t-pose': 'A T-pose stands before the motion: {0} leading frames were left out.',
-  'leading-blended-t-pose':
-    'A T-pose is blended into the motion: {0} leading frames were left out.',
+  'leading-t-pose': 'A T-pose stands before the motion; leading frames left out: {0}.',
+  'leading-blended-t-pose': 'A T-pose is blended into the motion; leading frames left out: {0}.',
   'leading-jump': 'The motion begins with a jump: frame 0 was left out.',
-  'leading-by-hand': '{0} leading frames were left out by hand.',
+  'leading-by-hand': 'Leading frames left out by hand: {0}.',
   discontinuity: 'The motion jumps here: a step of {0} body heights in one frame.',
   'low-pass-left-out':
     'The cut-off of {0} Hz is not below half the frame rate; the low-pass filter was left out.',

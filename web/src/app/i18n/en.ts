@@ -57,6 +57,7 @@ export const en = {
   'library.waiting': 'waiting',
   'library.reading': 'reading',
   'library.analysing': 'analysing',
+  'library.pose': 'one pose',
   'library.skeleton': 'skeleton only',
   'library.resize': 'Width of the library',
   'sort.arrival': 'Order of arrival',

@@ -59,6 +59,7 @@ export const ja: Catalogue = {
   'library.waiting': '待機中',
   'library.reading': '読み込み中',
   'library.analysing': '解析中',
+  'library.pose': '姿勢 1 つ',
   'library.skeleton': '骨格のみ',
   'library.resize': 'ライブラリの幅',
   'sort.arrival': '追加した順',
