@@ -6,7 +6,7 @@ const folder = 'docs/pictures';
 /** Long enough for a software rasteriser to draw the stage. */
 const settleMs = 3000;
 
-/** The empty page, then the slow dance at its sixth keypose. */
+/** The empty page, then the slow dance at its eighth keypose. */
 function takePictures(colorScheme) {
   const context = { viewport: { width: 1440, height: 900 }, colorScheme, locale: 'en-GB' };
   return withPage(context, async (page, address) => {
@@ -15,7 +15,8 @@ function takePictures(colorScheme) {
     await page.screenshot({ path: `${folder}/empty-${colorScheme}.png` });
     await page.getByRole('button', { name: /slow dance/i }).click();
     await page.getByRole('slider').first().waitFor();
-    for (let count = 0; count < 6; count++) await page.keyboard.press('k');
+    await page.mouse.move(0, 0);
+    for (let count = 0; count < 8; count++) await page.keyboard.press('k');
     await page.waitForTimeout(settleMs);
     await page.screenshot({ path: `${folder}/study-${colorScheme}.png` });
   });
