@@ -3,6 +3,7 @@
 
 use motion::analysis::{Decisions, SettingsError};
 use motion::keypose::{Options, SelectionRule};
+use motion::report::json::Json;
 use motion::world::{Unit, Up};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -36,6 +37,25 @@ extern "C" {
     fn scale_ratio(this: &JsOptions) -> Option<f64>;
     #[wasm_bindgen(method, getter, structural)]
     fn selection(this: &JsOptions) -> Option<String>;
+}
+
+/// The default of every parameter, as JSON: `MethodSettings` of TypeScript.
+#[wasm_bindgen(js_name = methodDefaults)]
+pub fn method_defaults() -> String {
+    let default = Options::default();
+    let rule = match default.selection {
+        SelectionRule::Automatic => "automatic",
+        SelectionRule::Literal => "literal",
+        SelectionRule::EvenSplit => "even-split",
+    };
+    Json::object([
+        ("lowPassHz", Json::Number(default.low_pass_hz)),
+        ("scaleMaxHz", Json::Number(default.scale_max_hz)),
+        ("scaleMinHz", Json::Number(default.scale_min_hz)),
+        ("scaleRatio", Json::Number(default.scale_ratio)),
+        ("selection", Json::Text(rule.to_owned())),
+    ])
+    .text()
 }
 
 /// The core's decisions.

@@ -1,6 +1,6 @@
 /** What a person can do on the page, in verbs; every view's event ends in one of them. */
 import { batch } from '@preact/signals-core';
-import type { ClipId, ClipSource, Engine, ExportKind } from '../engine/types';
+import type { ClipId, ClipSource, Engine, ExportKind, MethodOptions } from '../engine/types';
 import { saveText } from '../common/save-text';
 import { createAnalysis } from './analysis';
 import { decisionLabels, withDecision, type DecisionChange } from './decisions';
@@ -22,6 +22,13 @@ export interface Actions {
   readonly choosePerformer: (index: number) => void;
   readonly remove: (id: ClipId) => void;
   readonly decide: (change: DecisionChange) => void;
+  /** Another value of a parameter of the method, for all clips; undefined: its default. */
+  readonly setOption: <Key extends keyof MethodOptions>(
+    key: Key,
+    value: MethodOptions[Key] | undefined,
+  ) => void;
+  /** Every parameter back to its default. */
+  readonly resetOptions: () => void;
   readonly exportClip: (id: ClipId, kind: ExportKind) => void;
   readonly undo: () => void;
   readonly redo: () => void;
@@ -37,6 +44,10 @@ export interface ActionParts {
 const extensions: Readonly<Record<ExportKind, string>> = {
   'keyposes-csv': 'csv',
   'keyposes-json': 'json',
+  'candidates-csv': 'csv',
+  'candidates-json': 'json',
+  'traces-csv': 'csv',
+  'traces-json': 'json',
 };
 
 export function createActions(parts: ActionParts): Actions {
@@ -93,6 +104,7 @@ class PageActions implements Actions {
       store.openId.value = id;
       store.performer.value = 0;
       store.hoverFrame.value = null;
+      store.zoom.value = null;
     });
   }
 
@@ -136,14 +148,28 @@ class PageActions implements Actions {
     });
   }
 
+  setOption<Key extends keyof MethodOptions>(
+    key: Key,
+    value: MethodOptions[Key] | undefined,
+  ): void {
+    const { [key]: before, ...others } = this.parts.store.options.peek();
+    if (before === value) return;
+    this.changeOptions(value === undefined ? others : { ...others, [key]: value });
+  }
+
+  resetOptions(): void {
+    if (Object.keys(this.parts.store.options.peek()).length > 0) this.changeOptions({});
+  }
+
   exportClip(id: ClipId, kind: ExportKind): void {
     const { engine, store, words } = this.parts;
     const name = store.clips.peek()[id]?.source.name ?? '';
-    const fileName = `${name.replace(/\.bvh$/i, '')}.keyposes.${extensions[kind]}`;
+    const [content] = kind.split('-');
+    const fileName = `${name.replace(/\.bvh$/i, '')}.${content}.${extensions[kind]}`;
     engine
       .exportText(id, kind)
       .then((text) => {
-        saveText(fileName, text, kind === 'keyposes-csv' ? 'text/csv' : 'application/json');
+        saveText(fileName, text, extensions[kind] === 'csv' ? 'text/csv' : 'application/json');
         store.toast.value = { kind: 'done', text: words().t('toast.saved', fileName) };
       })
       .catch((error: unknown) => this.tellError(name, error));
@@ -157,6 +183,16 @@ class PageActions implements Actions {
   redo(): void {
     this.parts.store.toast.value = null;
     this.parts.history.redo();
+  }
+
+  private changeOptions(after: MethodOptions): void {
+    const { store, history, words } = this.parts;
+    const before = store.options.peek();
+    history.run({
+      label: words().t('change.options'),
+      apply: () => this.analysis.setOptions(after),
+      revert: () => this.analysis.setOptions(before),
+    });
   }
 
   /** Out of the library; an open clip gives its place to its neighbour. */

@@ -3,7 +3,14 @@
  * waits a moment for the next one; an older run is cancelled by the engine, the old result stays until
  * the new one comes.
  */
-import type { ClipId, ClipResult, Decisions, Engine, Progress } from '../engine/types';
+import type {
+  ClipId,
+  ClipResult,
+  Decisions,
+  Engine,
+  MethodOptions,
+  Progress,
+} from '../engine/types';
 import { flatFigure } from '../figure/flat-figure';
 import type { Clip } from './clips';
 import { failureOf, isAbort } from './failure';
@@ -16,6 +23,8 @@ export interface Analysis {
   readonly open: (id: ClipId, signal: AbortSignal) => Promise<void>;
   /** Analyses a clip again with other decisions. */
   readonly decide: (id: ClipId, decisions: Decisions) => void;
+  /** Analyses every clip again with other parameters, the open one first. */
+  readonly setOptions: (options: MethodOptions) => void;
 }
 
 type TellError = (name: string, error: unknown) => void;
@@ -28,6 +37,7 @@ class ClipAnalysis implements Analysis {
   private readonly engine: Engine;
   private readonly store: Store;
   private readonly tellError: TellError;
+  private optionsTimer: ReturnType<typeof setTimeout> | undefined;
   private readonly timers = new Map<ClipId, ReturnType<typeof setTimeout>>();
 
   constructor(engine: Engine, store: Store, tellError: TellError) {
@@ -39,11 +49,12 @@ class ClipAnalysis implements Analysis {
   async open(id: ClipId, signal: AbortSignal): Promise<void> {
     const clip = this.clipOf(id);
     if (!clip) return;
+    const options = this.store.options.peek();
     const onProgress = ({ stage, done }: Progress): void =>
       patchClip(this.store, id, { status: stage, progress: done });
     try {
       const work = { signal, onProgress };
-      this.accept(id, await this.engine.open(id, clip.source, clip.decisions, {}, work));
+      this.accept(id, await this.engine.open(id, clip.source, clip.decisions, options, work));
     } catch (error) {
       if (isAbort(error)) throw error;
       patchClip(this.store, id, { status: 'failed', failure: failureOf(error) });
@@ -59,12 +70,31 @@ class ClipAnalysis implements Analysis {
     );
   }
 
+  setOptions(options: MethodOptions): void {
+    const analysed = this.store.clips.peek().filter(({ result }) => result !== null);
+    this.store.options.value = options;
+    this.store.clips.value = this.store.clips
+      .peek()
+      .map((clip) => (clip.result === null ? clip : { ...clip, outdated: true }));
+    clearTimeout(this.optionsTimer);
+    this.optionsTimer = setTimeout(() => {
+      const openId = this.store.openId.peek();
+      const ids = analysed
+        .map(({ id }) => id)
+        .sort((a, b) => Number(b === openId) - Number(a === openId));
+      for (const id of ids) void this.analyse(id);
+    }, settleMs);
+  }
+
   private async analyse(id: ClipId): Promise<void> {
     const clip = this.clipOf(id);
     if (!clip) return;
     try {
-      const result = await this.engine.analyse(id, clip.decisions, {});
-      if (this.clipOf(id)?.decisions === clip.decisions) this.accept(id, result);
+      const options = this.store.options.peek();
+      const result = await this.engine.analyse(id, clip.decisions, options);
+      const isCurrent =
+        this.clipOf(id)?.decisions === clip.decisions && this.store.options.peek() === options;
+      if (isCurrent) this.accept(id, result);
     } catch (error) {
       if (isAbort(error)) return;
       patchClip(this.store, id, { outdated: false });

@@ -3,7 +3,14 @@
  * once. Clips are never moved in their list, so that a clip's id is its index.
  */
 import { computed, signal, type ReadonlySignal, type Signal } from '@preact/signals-core';
-import type { ClipId, ClipSource, PerformerResult } from '../engine/types';
+import type {
+  ClipId,
+  ClipSource,
+  MethodOptions,
+  MethodSettings,
+  PerformerResult,
+} from '../engine/types';
+import type { LoopRange } from '../player/clock';
 import { nearestIndex } from '../player/neighbours';
 import { keyposeFrames, newClip, type Clip } from './clips';
 import { qualifiers } from './names';
@@ -16,7 +23,20 @@ export interface PlaybackState {
   readonly playing: boolean;
   readonly speed: number;
   readonly looping: boolean;
+  /** The A–B range in frames, kept while the loop is off; null: the whole clip. */
+  readonly loop: LoopRange | null;
 }
+
+/** The frames that the timeline shows, from the first to the last; they need not be whole. */
+export interface Span {
+  readonly first: number;
+  readonly last: number;
+}
+
+/** Rows of the timeline that can be folded. */
+export type FoldableRow = 'speed' | 'scales' | 'intensity' | 'overview';
+
+export type InspectorTab = 'method' | 'body' | 'doctor' | 'export';
 
 /** Files on their way into the library. */
 export interface LoadingState {
@@ -47,6 +67,16 @@ export interface Store {
   readonly hoverFrame: Signal<number | null>;
   readonly view: Signal<ViewPreset | null>;
   readonly follow: Signal<boolean>;
+  readonly ghosts: Signal<boolean>;
+  readonly trails: Signal<boolean>;
+  /** Parameters of the method that differ from their default; they hold for all clips. */
+  readonly options: Signal<MethodOptions>;
+  /** null until the engine has told them. */
+  readonly defaults: Signal<MethodSettings | null>;
+  /** What the person zoomed to; null: the whole clip. Another clip sets it back. */
+  readonly zoom: Signal<Span | null>;
+  readonly folded: Signal<ReadonlySet<FoldableRow>>;
+  readonly inspectorTab: Signal<InspectorTab>;
   readonly loading: Signal<LoadingState | null>;
   readonly toast: Signal<Toast | null>;
   readonly helpOpen: Signal<boolean>;
@@ -59,11 +89,19 @@ export interface Store {
   readonly openClip: ReadonlySignal<Clip | null>;
   readonly openPerformer: ReadonlySignal<PerformerResult | null>;
   readonly keyposeFrames: ReadonlySignal<Int32Array>;
+  /** What the timeline and the strip show of the open clip. */
+  readonly span: ReadonlySignal<Span>;
   /** Index of the keypose nearest to the playhead. */
   readonly currentKeypose: ReadonlySignal<number | null>;
 }
 
-export const stillPlayback: PlaybackState = { frame: 0, playing: false, speed: 1, looping: false };
+export const stillPlayback: PlaybackState = {
+  frame: 0,
+  playing: false,
+  speed: 1,
+  looping: false,
+  loop: null,
+};
 
 function writtenState() {
   return {
@@ -76,6 +114,13 @@ function writtenState() {
     hoverFrame: signal<number | null>(null),
     view: signal<ViewPreset | null>('side'),
     follow: signal(true),
+    ghosts: signal(true),
+    trails: signal(true),
+    options: signal<MethodOptions>({}),
+    defaults: signal<MethodSettings | null>(null),
+    zoom: signal<Span | null>(null),
+    folded: signal<ReadonlySet<FoldableRow>>(new Set()),
+    inspectorTab: signal<InspectorTab>('method'),
     loading: signal<LoadingState | null>(null),
     toast: signal<Toast | null>(null),
     helpOpen: signal(false),
@@ -107,6 +152,10 @@ export function createStore(): Store {
     openClip,
     openPerformer,
     keyposeFrames: frames,
+    span: computed(() => {
+      const last = Math.max(0, (openClip.value?.result?.frames ?? 1) - 1);
+      return state.zoom.value ?? { first: 0, last };
+    }),
     currentKeypose: computed(() => nearestIndex(frames.value, state.playback.value.frame)),
   };
 }

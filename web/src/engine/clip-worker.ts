@@ -18,7 +18,15 @@ import type {
 import { type Core, CoreFailure } from './raw';
 import { slicesOf } from './slices';
 import { Cancelled, Jobs } from './turns';
-import type { ClipId, ClipResult, ExportKind, Failure, Progress, SampleInfo } from './types';
+import type {
+  ClipId,
+  ClipResult,
+  ExportKind,
+  Failure,
+  MethodSettings,
+  Progress,
+  SampleInfo,
+} from './types';
 import { unzipMotions } from './unzip';
 import { ZipError } from './zip-directory';
 
@@ -115,6 +123,10 @@ export class ClipWorker implements WorkerApi {
       });
       return null;
     });
+  }
+
+  methodDefaults(job: JobId): Promise<Outcome<MethodSettings>> {
+    return this.outcome(job, null, (core) => Promise.resolve(core.methodDefaults));
   }
 
   samples(job: JobId): Promise<Outcome<readonly SampleInfo[]>> {

@@ -24,6 +24,7 @@ import {
   type ExportKind,
   type Failure,
   type MethodOptions,
+  type MethodSettings,
   type SampleInfo,
   type UnzipOptions,
   type WorkOptions,
@@ -149,6 +150,11 @@ class WorkerEngine implements Engine {
     await this.pool.enqueue(task).catch((error: unknown) => {
       throw named(error, name);
     });
+  }
+
+  async methodDefaults(): Promise<MethodSettings> {
+    const task: Task<MethodSettings> = { clip: null, run: (api, job) => api.methodDefaults(job) };
+    return (await this.again('defaults', () => this.pool.enqueue(task))).value;
   }
 
   async samples(): Promise<readonly SampleInfo[]> {

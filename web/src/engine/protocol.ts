@@ -8,6 +8,7 @@ import type {
   ExportKind,
   Failure,
   MethodOptions,
+  MethodSettings,
   Progress,
   SampleInfo,
 } from './types';
@@ -76,6 +77,7 @@ export interface WorkerApi {
   ): Promise<Outcome<Float32Array>>;
   exportText(job: JobId, clip: ClipRef, kind: ExportKind): Promise<Outcome<string>>;
   unzip(job: JobId, archive: Blob): Promise<Outcome<null>>;
+  methodDefaults(job: JobId): Promise<Outcome<MethodSettings>>;
   samples(job: JobId): Promise<Outcome<readonly SampleInfo[]>>;
   sample(job: JobId, id: string): Promise<Outcome<UnpackedEntry>>;
   /** Ends a job at its next step. The answer itself says that the worker is alive. */

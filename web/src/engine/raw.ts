@@ -7,6 +7,7 @@ import init, {
   Digest,
   initSync,
   sampleBvh,
+  methodDefaults,
   sampleCatalogue,
 } from './generated/motion_wasm';
 import type {
@@ -16,6 +17,7 @@ import type {
   Failure,
   KeyposeResult,
   MethodOptions,
+  MethodSettings,
   Note,
   PerformerResult,
   SampleInfo,
@@ -38,6 +40,7 @@ export interface Core {
   newClip(): CoreClip;
   /** The SHA-256 of the bytes pushed. */
   newDigest(): CoreDigest;
+  readonly methodDefaults: MethodSettings;
   readonly samples: readonly SampleInfo[];
   /** The bytes of a sample, or null where none has that id. */
   sample(id: string): Uint8Array<ArrayBuffer> | null;
@@ -81,6 +84,7 @@ export async function loadCore(wasm?: Uint8Array<ArrayBuffer>): Promise<Core> {
   return {
     newClip: () => new WasmClip(),
     newDigest: () => new Digest(),
+    methodDefaults: JSON.parse(methodDefaults()) as MethodSettings,
     samples: JSON.parse(sampleCatalogue()) as SampleInfo[],
     sample: (id) => (sampleBvh(id) as Uint8Array<ArrayBuffer> | undefined) ?? null,
     memoryBytes: () => memory.buffer.byteLength,
@@ -169,7 +173,10 @@ interface ClipSummary extends Omit<ClipResult, 'performers'> {
   readonly performers: readonly PerformerSummary[];
 }
 
-interface PerformerSummary extends Omit<PerformerResult, 'skeleton' | 'feature' | 'keyposes'> {
+interface PerformerSummary extends Omit<
+  PerformerResult,
+  'skeleton' | 'feature' | 'keyposes' | 'trailJoints'
+> {
   readonly labels: readonly string[];
   readonly keyposes: KeyposeSummary | null;
 }
@@ -193,6 +200,7 @@ function performerOf(
     ...rest,
     skeleton: { labels, parents: handle.parents(index), endSites: handle.endSites(index) },
     keyposes: keyposes === null ? null : keyposesOf(handle, keyposes, index),
+    trailJoints: new Int32Array(),
     feature: feature.length === 0 ? null : feature,
   };
 }
@@ -210,6 +218,11 @@ function keyposesOf(handle: ClipHandle, summary: KeyposeSummary, index: number):
     traceScales: handle.traceScales(index),
     traceFrames: handle.traceFrames(index),
     traceIntensities: handle.traceIntensities(index),
+    tracePlaces: Float64Array.from(handle.traceFrames(index)),
+    byIntensity: new Int32Array(),
+    strongestScales: new Int32Array(),
+    bodyPartPercents: new Float64Array(),
+    postures: [],
     keyposes: handle.keyposes(index),
   };
 }

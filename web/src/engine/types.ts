@@ -37,6 +37,15 @@ export interface Decisions {
   readonly leadingRestFrames?: number;
   readonly up?: UpAxis;
   readonly unit?: UnitName;
+  /** Joints of the file that stand for principal joints, by performer. */
+  readonly joints?: readonly JointDecision[];
+}
+
+/** A person's word that a joint of the file is this part of a performer's body. */
+export interface JointDecision {
+  readonly performer: number;
+  readonly role: Role | 'pelvis';
+  readonly joint: number;
 }
 
 /** The parameters of the method; absent = default (METHOD's). */
@@ -46,6 +55,31 @@ export interface MethodOptions {
   readonly scaleMinHz?: number;
   readonly scaleRatio?: number;
   readonly selection?: 'automatic' | 'literal' | 'even-split';
+}
+
+/** Every parameter with its value. */
+export type MethodSettings = Required<MethodOptions>;
+
+/** The parts of the body that a keypose is explained by, in the order of their columns. */
+export const bodyParts = ['left-arm', 'right-arm', 'left-leg', 'right-leg', 'head'] as const;
+
+export type BodyPart = (typeof bodyParts)[number];
+
+/** What a pose looks like, in words of the catalogue. */
+export interface PostureWord {
+  readonly part:
+    'left-arm' | 'right-arm' | 'both-arms' | 'left-leg' | 'right-leg' | 'both-legs' | 'trunk';
+  readonly state:
+    | 'raised'
+    | 'stretched'
+    | 'forward'
+    | 'back'
+    | 'crossed'
+    | 'bent'
+    | 'high'
+    | 'apart'
+    | 'leaning'
+    | 'upright';
 }
 
 /** A departure from the plain form of a file; `kind` and `details` fill the catalogue's sentence. */
@@ -126,8 +160,21 @@ export interface KeyposeResult {
   readonly traceScales: Int32Array;
   readonly traceFrames: Int32Array;
   readonly traceIntensities: Float64Array;
+  /** Where each minimum of a trace lies between the frames, in frames of the file. */
+  readonly tracePlaces: Float64Array;
+  /** Indices into `candidates` from the most to the least intense, of equals the earlier first. */
+  readonly byIntensity: Int32Array;
+  /** Of each candidate, the index into `scalesHz` of its largest u; -1 without a trace. */
+  readonly strongestScales: Int32Array;
   /** Indices into `candidates`, in time order. */
   readonly keyposes: Int32Array;
+  /**
+   * Keyposes × `bodyParts`: speed of the part at the keypose against its mean within ± 0.5 s, less 1,
+   * in percent; NaN where the mean is no speed. Empty where the body is not human.
+   */
+  readonly bodyPartPercents: Float64Array;
+  /** What each keypose looks like, at most two words, the most telling first; empty if not human. */
+  readonly postures: readonly (readonly PostureWord[])[];
   readonly clusters: number;
   readonly anova: Anova | null;
   /** Lowest kept over highest dropped intensity; Infinity when nothing of weight was dropped. */
@@ -161,6 +208,8 @@ export interface PerformerResult {
   readonly sideYawRad: number;
   /** Yaw of a viewer whom the pelvis faces in the mean, radians, for the preset "Front". */
   readonly frontYawRad: number;
+  /** Joints whose trails are drawn at first: the wrist and the ankle with the longest path; empty if not human. */
+  readonly trailJoints: Int32Array;
   readonly notes: readonly Note[];
 }
 
@@ -200,7 +249,13 @@ export interface UnzipOptions extends WorkOptions {
 
 export type ClipId = number;
 
-export type ExportKind = 'keyposes-csv' | 'keyposes-json';
+export type ExportKind =
+  | 'keyposes-csv'
+  | 'keyposes-json'
+  | 'candidates-csv'
+  | 'candidates-json'
+  | 'traces-csv'
+  | 'traces-json';
 
 export interface SampleInfo {
   readonly id: string;
@@ -244,6 +299,8 @@ export interface Engine {
   exportText(id: ClipId, kind: ExportKind, work?: WorkOptions): Promise<string>;
   /** Entries of a .zip that end in .bvh, unpacked in a worker, one by one. */
   unzip(archive: Blob, onEntry: (source: ClipSource) => void, work?: UnzipOptions): Promise<void>;
+  /** The default of every parameter of the method. */
+  methodDefaults(): Promise<MethodSettings>;
   samples(): Promise<readonly SampleInfo[]>;
   /** A sample motion as a file, made by the generator in a worker. */
   sample(id: string): Promise<ClipSource>;

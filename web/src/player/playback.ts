@@ -3,7 +3,7 @@
  * stay as they are from clip to clip.
  */
 import type { Store } from '../app/store';
-import { Clock } from './clock';
+import { Clock, type LoopRange } from './clock';
 import { nextAfter, previousBefore } from './neighbours';
 import { Ticker } from './ticker';
 
@@ -25,6 +25,9 @@ export interface Playback {
   readonly toEnd: (direction: 1 | -1) => void;
   readonly speed: (direction: 1 | -1) => void;
   readonly loop: () => void;
+  /** A or B of the loop at the playhead. */
+  readonly loopEnd: (end: 'a' | 'b') => void;
+  readonly setLoop: (range: LoopRange | null) => void;
 }
 
 export function createPlayback(store: Store): Playback {
@@ -91,8 +94,17 @@ class ClockPlayback implements Playback {
     this.clock.setLooping(!this.clock.looping);
   }
 
+  loopEnd(end: 'a' | 'b'): void {
+    if (end === 'a') this.clock.setLoopStart();
+    else this.clock.setLoopEnd();
+  }
+
+  setLoop(range: LoopRange | null): void {
+    this.clock.setLoop(range);
+  }
+
   private tell(): void {
-    const { frame, playing, speed, looping } = this.clock;
+    const { frame, playing, speed, looping, loopRange: loop } = this.clock;
     if (playing) this.ticker.start();
     else this.ticker.stop();
     const before = this.store.playback.peek();
@@ -100,7 +112,8 @@ class ClockPlayback implements Playback {
       before.frame === frame &&
       before.playing === playing &&
       before.speed === speed &&
-      before.looping === looping;
-    if (!same) this.store.playback.value = { frame, playing, speed, looping };
+      before.looping === looping &&
+      before.loop === loop;
+    if (!same) this.store.playback.value = { frame, playing, speed, looping, loop };
   }
 }

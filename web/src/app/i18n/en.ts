@@ -248,6 +248,8 @@ export const en = {
   'change.frame-rate': 'frame rate',
   'change.leading-rest': 'leading frames',
   'change.up': 'up axis',
+  'change.joints': 'joint',
+  'change.options': 'parameters',
   'change.unit': 'unit',
 
   'help.title': 'Keyboard shortcuts',

@@ -238,6 +238,8 @@ export const ja: Catalogue = {
   'change.frame-rate': 'フレームレート',
   'change.leading-rest': '冒頭フレーム',
   'change.up': '上の軸',
+  'change.joints': '関節',
+  'change.options': 'パラメータ',
   'change.unit': '単位',
 
   'help.title': 'キーボード操作',
