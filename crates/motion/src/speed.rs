@@ -6,6 +6,7 @@
 //!
 //! Source: Miura et al., "Adaptive Keypose Extraction from Motion Capture Data", 2014, eq. 1–3.
 
+use crate::body::{BODY_PARTS, BodyPart, PRINCIPAL_JOINTS};
 use crate::hodrick_prescott::{self, LaneFilter, Solution};
 use crate::track::PelvisTrack;
 
@@ -20,6 +21,9 @@ pub struct MotionSpeed {
     /// Whether the coordinates were low-pass filtered; not so where the cut-off is not below half
     /// the frame rate.
     pub filtered: bool,
+    /// The speed of each part of the body ([`BodyPart::ALL`]), by the same formula over its own
+    /// joints; empty unless asked for.
+    pub parts: Vec<[f64; BODY_PARTS]>,
 }
 
 /// The motion speed of `track`, filtered at `cutoff_hz` ([`crate::keypose::Options::low_pass_hz`]).
@@ -51,6 +55,8 @@ pub struct SpeedRun {
     columns: Vec<[f64; LANES]>,
     /// Σ of the squared steps of the columns done so far, one a frame step.
     squares: Vec<f64>,
+    /// The same by part of the body; empty unless asked for.
+    part_squares: Vec<[f64; BODY_PARTS]>,
 }
 
 impl SpeedRun {
@@ -69,7 +75,16 @@ impl SpeedRun {
             are_gathered: false,
             columns: vec![[0.0; LANES]; track.frames()],
             squares: vec![0.0; track.frames().saturating_sub(1)],
+            part_squares: Vec::new(),
         }
+    }
+
+    /// The same run, to give the speed of each part of the body too; for a track of the principal
+    /// joints of a human body alone, before the first step.
+    #[must_use]
+    pub fn with_parts(mut self) -> Self {
+        self.part_squares = vec![[0.0; BODY_PARTS]; self.squares.len()];
+        self
     }
 
     /// Works for `budget` rows of a pass over eight columns (three passes make a filter), or makes
@@ -104,12 +119,14 @@ impl SpeedRun {
 
     /// The speed, once [`SpeedRun::advance`] has said true.
     pub fn finish(mut self) -> MotionSpeed {
-        for value in &mut self.squares {
+        let parts = self.part_squares.iter_mut().flatten();
+        for value in self.squares.iter_mut().chain(parts) {
             *value = self.frame_rate_hz * value.sqrt();
         }
         MotionSpeed {
             values: self.squares,
             filtered: self.filter.is_some(),
+            parts: self.part_squares,
         }
     }
 
@@ -142,7 +159,22 @@ impl SpeedRun {
                 *square += step * step;
             }
         }
+        let part_of_lane = part_of_lane(self.first_column);
+        for (squares, pair) in self.part_squares.iter_mut().zip(rows.windows(2)) {
+            for (lane, part) in part_of_lane.iter().enumerate() {
+                let step = pair[1][lane] - pair[0][lane];
+                squares[*part] += step * step;
+            }
+        }
     }
+}
+
+/// The part of the body of each of the columns from `first_column` on.
+fn part_of_lane(first_column: usize) -> [usize; LANES] {
+    core::array::from_fn(|lane| {
+        let joint = (first_column + lane) / 3;
+        BodyPart::OF_PRINCIPAL[joint.min(PRINCIPAL_JOINTS - 1)].index()
+    })
 }
 
 #[cfg(test)]
@@ -209,7 +241,8 @@ mod tests {
             speed,
             MotionSpeed {
                 values: vec![100.0, 10.0],
-                filtered: false
+                filtered: false,
+                parts: Vec::new(),
             }
         );
     }
@@ -223,6 +256,39 @@ mod tests {
         }
         assert_eq!(run.progress(), 1.0);
         assert_eq!(run.finish(), motion_speed(&track, 60.0, 10.0));
+    }
+
+    #[test]
+    fn a_part_has_the_speed_of_its_own_joints() {
+        let track = random_track(60, PRINCIPAL_JOINTS);
+        let mut run = SpeedRun::new(&track, 120.0, 10.0).with_parts();
+        while !run.advance(&track, 100) {}
+        let speed = run.finish();
+        assert_eq!(speed.values, motion_speed(&track, 120.0, 10.0).values);
+        for part in BodyPart::ALL {
+            let joints = BodyPart::OF_PRINCIPAL.iter().enumerate();
+            let joints: Vec<usize> = joints
+                .filter_map(|(joint, of)| (*of == part).then_some(joint))
+                .collect();
+            let frames = (0..track.frames()).map(|frame| track.frame(frame));
+            let of_part = frames.flat_map(|row| {
+                joints
+                    .iter()
+                    .flat_map(|joint| &row[3 * joint..3 * joint + 3])
+            });
+            let alone = PelvisTrack {
+                coordinates: of_part.copied().collect(),
+                joint_count: joints.len(),
+                first_frame: 0,
+            };
+            let found: Vec<f64> = speed.parts.iter().map(|row| row[part.index()]).collect();
+            assert_eq!(
+                found,
+                speed_by_definition(&alone, 120.0, 10.0),
+                "{}",
+                part.name()
+            );
+        }
     }
 
     #[test]

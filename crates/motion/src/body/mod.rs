@@ -10,6 +10,7 @@ mod human;
 mod limbs;
 mod mirrored;
 pub mod names;
+mod part;
 mod pelvis_frame;
 mod reading;
 mod rest_pose;
@@ -23,6 +24,7 @@ mod tree;
 mod trunk;
 
 pub use find::find;
+pub use part::{BODY_PARTS, BodyPart};
 pub use pelvis_frame::PelvisFrame;
 pub use role::{PRINCIPAL_JOINTS, Role, Side};
 pub use table::{PoseTable, TableBuilder};

@@ -9,7 +9,7 @@
 
 use super::candidates::{minima, minima_by};
 use super::correspondence::partners;
-use super::intensity::{TraceEntry, Traces, traces};
+use super::intensity::{TraceEntry, Traces, traces, vertex_offset};
 use super::options::{Options, OptionsError};
 use super::scales::{Levels, usable_scales_hz};
 use super::significance::{Selection, select};
@@ -201,11 +201,13 @@ impl Extractor {
         let minima = minima_by(self.speed.len(), |n| levels.slow(level, n), self.floor);
         self.survivors = matched(&self.survivors, &minima);
         for &Survivor { candidate, frame } in &self.survivors {
-            let contribution = (levels.slow(level, frame) - levels.slower(level, frame)).abs();
+            // A minimum is never the first or the last sample.
+            let [before, at, after] = [frame - 1, frame, frame + 1].map(|n| levels.slow(level, n));
             self.entries.push(TraceEntry {
                 candidate,
                 frame,
-                contribution,
+                place: frame as f64 + vertex_offset(before, at, after),
+                contribution: (at - levels.slower(level, frame)).abs(),
             });
         }
     }
