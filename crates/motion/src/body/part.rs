@@ -1,6 +1,6 @@
 //! The parts of a human body by which a moment is explained.
 
-use super::role::{PRINCIPAL_JOINTS, Role};
+use super::role::PRINCIPAL_JOINTS;
 
 /// A limb, or neck and head.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +30,7 @@ impl BodyPart {
         BodyPart::Head,
     ];
 
-    /// The part of each principal joint, in the order of [`Role::PRINCIPAL`].
+    /// The part of each principal joint, in the order of [`super::Role::PRINCIPAL`].
     pub const OF_PRINCIPAL: [BodyPart; PRINCIPAL_JOINTS] = {
         use BodyPart::{Head, LeftArm, LeftLeg, RightArm, RightLeg};
         [
@@ -59,7 +59,7 @@ impl BodyPart {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::body::Side;
+    use crate::body::{Role, Side};
 
     #[test]
     fn every_principal_joint_has_its_part() {
