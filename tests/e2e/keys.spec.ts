@@ -38,13 +38,12 @@ test('keys step, jump, end and change the speed', async ({ app, page }) => {
 
 test('Space plays to the end and pauses; speed and loop are shown', async ({ app, page }) => {
   await app.openWith(...sampleFiles('walk-hik-30'));
-  const speed = page.locator('.speed-figure');
+  const speed = page.locator('[popovertarget="speed-menu"]');
   await expect(speed).toHaveText('1×');
   for (const key of ['-', '-']) await page.keyboard.press(key);
   await expect(speed).toHaveText('0.5×');
   for (let n = 0; n < 9; n++) await page.keyboard.press('-');
   await expect(speed).toHaveText('0.1×');
-  await expect(app.button('Slower')).toBeDisabled();
   for (let n = 0; n < 9; n++) await page.keyboard.press('+');
   await expect(speed).toHaveText('4×');
 
@@ -65,6 +64,62 @@ test('Space plays to the end and pauses; speed and loop are shown', async ({ app
   await page.keyboard.press(' ');
   await expect(app.button('Play')).toBeVisible();
   await app.expectFrame(Number(await page.locator('.playhead').getAttribute('aria-valuemax')));
+});
+
+test('[ and ] set A and B, L turns the loop on and off, Shift+L clears it', async ({
+  app,
+  page,
+}) => {
+  const [path = ''] = sampleFiles('walk-hik-60');
+  const { frame_time_s } = reportOf(path);
+  await app.openWith(path);
+  const loop = page.locator('.loop');
+  await page.keyboard.press('Home');
+  const a = 30;
+  const b = 48;
+  for (let n = 0; n < 5; n++) await page.keyboard.press('Shift+ArrowRight');
+  await app.expectFrame(a);
+  await page.keyboard.press('[');
+  await expect(loop).toHaveAttribute('aria-pressed', 'true');
+  for (let n = 0; n < 3; n++) await page.keyboard.press('Shift+ArrowRight');
+  await app.expectFrame(b);
+  await page.keyboard.press(']');
+  const seconds = (frame: number): string => (frame * frame_time_s).toFixed(2);
+  await expect(loop).toHaveText(new RegExp(`A–B\\s*${seconds(a)}–${seconds(b)} s`));
+
+  // From behind B it starts at A, and never leaves the loop.
+  await page.keyboard.press('End');
+  await page.keyboard.press(' ');
+  await expect.poll(() => app.frame()).toBeLessThanOrEqual(b);
+  for (let n = 0; n < 12; n++) {
+    await page.waitForTimeout(50);
+    const frame = await app.frame();
+    expect(frame).toBeGreaterThanOrEqual(a);
+    expect(frame).toBeLessThanOrEqual(b);
+  }
+  await page.keyboard.press(' ');
+  await page.keyboard.press('l');
+  await expect(loop).toHaveAttribute('aria-pressed', 'false');
+  await expect(loop).toContainText('A–B');
+  await page.keyboard.press('Shift+L');
+  await expect(loop).toHaveText('Loop');
+});
+
+test('the speed can be chosen from a list, and the time stays', async ({ app, page }) => {
+  await app.openWith(...sampleFiles('walk-hik-30'));
+  await page.keyboard.press('k');
+  await expect.poll(() => app.frame()).toBeGreaterThan(0);
+  const frame = await app.frame();
+  const speed = page.locator('[popovertarget="speed-menu"]');
+  await expect(speed).toHaveAccessibleName('Speed 1×');
+  await speed.focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('menuitemradio', { name: '1×', exact: true })).toBeFocused();
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('Enter');
+  await expect(speed).toHaveText('0.75×');
+  await expect(page.locator('#speed-menu')).toBeHidden();
+  await app.expectFrame(frame);
 });
 
 test('? shows the list; keys are still while it is open, and in fields', async ({ app, page }) => {

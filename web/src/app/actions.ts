@@ -1,7 +1,7 @@
 /** What a person can do on the page, in verbs; every view's event ends in one of them. */
 import { batch } from '@preact/signals-core';
 import type { ClipId, ClipSource, Engine, ExportKind, MethodOptions } from '../engine/types';
-import { saveText } from '../common/save-text';
+import { saveBlob, saveText } from '../common/save-file';
 import { createAnalysis } from './analysis';
 import { decisionLabels, withDecision, type DecisionChange } from './decisions';
 import { failureOf } from './failure';
@@ -30,6 +30,8 @@ export interface Actions {
   /** Every parameter back to its default. */
   readonly resetOptions: () => void;
   readonly exportClip: (id: ClipId, kind: ExportKind) => void;
+  /** The stage as it stands, a PNG named after clip and frame. */
+  readonly savePicture: () => void;
   readonly undo: () => void;
   readonly redo: () => void;
 }
@@ -170,6 +172,19 @@ class PageActions implements Actions {
       .exportText(id, kind)
       .then((text) => {
         saveText(fileName, text, extensions[kind] === 'csv' ? 'text/csv' : 'application/json');
+        store.toast.value = { kind: 'done', text: words().t('toast.saved', fileName) };
+      })
+      .catch((error: unknown) => this.tellError(name, error));
+  }
+
+  savePicture(): void {
+    const { store, words } = this.parts;
+    const name = store.openClip.peek()?.source.name ?? '';
+    const fileName = `${name.replace(/\.bvh$/i, '')}.${store.playback.peek().frame}.png`;
+    store.picture
+      .peek()?.()
+      .then((blob) => {
+        saveBlob(fileName, blob);
         store.toast.value = { kind: 'done', text: words().t('toast.saved', fileName) };
       })
       .catch((error: unknown) => this.tellError(name, error));

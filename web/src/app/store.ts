@@ -79,6 +79,8 @@ export interface Store {
   readonly inspectorTab: Signal<InspectorTab>;
   readonly loading: Signal<LoadingState | null>;
   readonly toast: Signal<Toast | null>;
+  /** Draws the stage as a PNG; null while nothing is drawn. */
+  readonly picture: Signal<(() => Promise<Blob>) | null>;
   readonly helpOpen: Signal<boolean>;
   readonly dropping: Signal<boolean>;
   /** The clips that are not removed, in order of arrival. */
@@ -123,6 +125,7 @@ function writtenState() {
     inspectorTab: signal<InspectorTab>('method'),
     loading: signal<LoadingState | null>(null),
     toast: signal<Toast | null>(null),
+    picture: signal<(() => Promise<Blob>) | null>(null),
     helpOpen: signal(false),
     dropping: signal(false),
   };

@@ -13,6 +13,7 @@ import {
   Focus,
   FolderOpen,
   Gauge,
+  Image,
   Info,
   Lock,
   Maximize,
@@ -34,7 +35,10 @@ import {
   SunMoon,
   TriangleAlert,
   Undo2,
+  UnfoldHorizontal,
   X,
+  ZoomIn,
+  ZoomOut,
   type IconNode,
 } from 'lucide';
 
@@ -53,6 +57,7 @@ const shapes = {
   focus: Focus,
   'folder-open': FolderOpen,
   gauge: Gauge,
+  image: Image,
   help: CircleQuestionMark,
   info: Info,
   lock: Lock,
@@ -75,7 +80,10 @@ const shapes = {
   'sun-moon': SunMoon,
   'triangle-alert': TriangleAlert,
   undo: Undo2,
+  'unfold-horizontal': UnfoldHorizontal,
   x: X,
+  'zoom-in': ZoomIn,
+  'zoom-out': ZoomOut,
   'previous-keypose': [
     ['path', { d: 'm18 6-6 6 6 6' }],
     ['circle', { cx: 6, cy: 12, r: 2.6, ...disc }],

@@ -16,18 +16,26 @@ export interface Menu {
   readonly id: string;
   readonly name: IconName;
   readonly label: string;
+  /** Stands on the button beside the icon: what is chosen. */
+  readonly text?: string;
+  /** As `aria-keyshortcuts` has them, and as the tip shows them. */
+  readonly keys?: string;
+  readonly keyText?: string;
   readonly items: readonly MenuItem[];
 }
 
 const gapPx = 4;
 
-/** Under the button, its right edge with the button's. */
+/** Under the button, its right edge with the button's; above it where there is no room; always in the window. */
 function place(menu: HTMLElement): void {
   const button = document.querySelector(`[popovertarget="${menu.id}"]`);
   if (!button) return;
-  const { right, bottom } = button.getBoundingClientRect();
-  menu.style.top = `${bottom + gapPx}px`;
-  menu.style.left = `${Math.max(gapPx, right - menu.offsetWidth)}px`;
+  const { right, top, bottom } = button.getBoundingClientRect();
+  const { offsetWidth: width, offsetHeight: height } = menu;
+  const fitsBelow = bottom + 2 * gapPx + height <= innerHeight;
+  const wanted = fitsBelow ? bottom + gapPx : top - gapPx - height;
+  menu.style.top = `${Math.max(gapPx, Math.min(wanted, innerHeight - gapPx - height))}px`;
+  menu.style.left = `${Math.max(gapPx, right - width)}px`;
 }
 
 const itemsOf = (menu: HTMLElement): HTMLElement[] => [
@@ -45,11 +53,13 @@ function onToggle(event: Event): void {
 
 function onKey(event: KeyboardEvent): void {
   const items = itemsOf(event.currentTarget as HTMLElement);
-  const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-  if (!step) return;
-  event.preventDefault();
   const index = items.indexOf(document.activeElement as HTMLElement);
-  items.at((index + step) % items.length)?.focus();
+  const next = { ArrowDown: (index + 1) % items.length, ArrowUp: index - 1, Home: 0, End: -1 }[
+    event.key
+  ];
+  if (next === undefined) return;
+  event.preventDefault();
+  items.at(next)?.focus();
 }
 
 function menuItem(item: MenuItem): TemplateResult {
@@ -71,16 +81,19 @@ function menuItem(item: MenuItem): TemplateResult {
   </button>`;
 }
 
-export function menuButton({ id, name, label, items }: Menu): TemplateResult {
+export function menuButton(menu: Menu): TemplateResult {
+  const { id, name, label, text, keys, keyText, items } = menu;
   return html`<button
       type="button"
-      class="icon-button small"
+      class=${text === undefined ? 'icon-button small' : 'button ghost'}
       popovertarget=${id}
       aria-haspopup="menu"
-      aria-label=${label}
+      aria-label=${text === undefined ? label : `${label} ${text}`}
+      aria-keyshortcuts=${keys ?? nothing}
       data-tip=${label}
+      data-key=${keyText ?? nothing}
     >
-      ${icon(name, 15)}
+      ${icon(name, 15)}${text === undefined ? nothing : html`<span class="menu-text">${text}</span>`}
     </button>
     <div
       id=${id}

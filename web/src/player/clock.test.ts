@@ -95,6 +95,35 @@ describe('Clock', () => {
     expect(clock.frame).toBe(36);
   });
 
+  it('returns to A itself from behind the loop, also where it is led while playing', () => {
+    const clock = new Clock(clip);
+    clock.setLoop({ a: 36, b: 60 });
+    clock.seekFrame(50);
+    clock.play();
+    clock.seekFrame(95);
+    clock.advance(1 / 120);
+    expect(clock.frame).toBe(36);
+  });
+
+  it('never drifts: after a thousand rounds a loop is where it should be', () => {
+    const clock = new Clock(clip);
+    clock.setLoop({ a: 30, b: 60 });
+    clock.seekFrame(30);
+    clock.play();
+    for (let tick = 0; tick < 15_006; tick++) clock.advance(1 / 60);
+    expect(clock.timeS).toBeCloseTo(0.35, 9);
+  });
+
+  it('keeps the time when the speed changes', () => {
+    const clock = new Clock(clip);
+    clock.play();
+    clock.advance(0.1);
+    clock.setSpeed(4);
+    expect(clock.timeS).toBeCloseTo(0.1, 12);
+    clock.advance(0.1);
+    expect(clock.timeS).toBeCloseTo(0.5, 12);
+  });
+
   it('loops the whole clip without A and B, and stays on a loop of one frame', () => {
     const clock = new Clock(clip);
     clock.setLooping(true);

@@ -150,11 +150,12 @@ export class Clock {
     this.setLoop({ a: a < b ? a : 0, b });
   }
 
-  /** Lets real seconds pass; does nothing while paused. */
+  /** Lets real seconds pass; does nothing while paused. From behind a loop it goes back to A. */
   advance(dtS: number): void {
     if (!this.running || !(dtS > 0)) return;
     const time = this.time + dtS * this.rate;
-    if (time < this.endS) this.moveTo(time);
+    if (this.looped && this.time > this.endS) this.moveTo(this.startS);
+    else if (time < this.endS) this.moveTo(time);
     else if (this.looped) this.moveTo(this.wrapped(time));
     else this.finish();
   }

@@ -21,6 +21,19 @@ test('every key of playback has its command', () => {
   expect(command('End')).toBe('last-frame');
   expect(command('+', { shiftKey: true })).toBe('faster');
   expect(command('?', { shiftKey: true })).toBe('help');
+  expect(command('[')).toBe('loop-start');
+  expect(command(']')).toBe('loop-end');
+  expect(command('l')).toBe('loop');
+  expect(command('L', { shiftKey: true })).toBe('loop-clear');
+  expect(command('z')).toBe('zoom-in');
+  expect(command('Z', { shiftKey: true })).toBe('zoom-out');
+  expect(command('0')).toBe('zoom-all');
+});
+
+test('the ends of the loop on keyboards that write brackets with Alt or AltGr', () => {
+  expect(command('[', { altKey: true })).toBe('loop-start');
+  expect(command(']', { ctrlKey: true, altKey: true })).toBe('loop-end');
+  expect(command('k', { altKey: true })).toBeNull();
 });
 
 test('undo and redo, with either modifier', () => {

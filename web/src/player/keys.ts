@@ -15,6 +15,12 @@ export type KeyCommand =
   | 'slower'
   | 'faster'
   | 'loop'
+  | 'loop-start'
+  | 'loop-end'
+  | 'loop-clear'
+  | 'zoom-in'
+  | 'zoom-out'
+  | 'zoom-all'
   | 'help'
   | 'filter'
   | 'undo'
@@ -42,15 +48,23 @@ const plainKeys: Readonly<Record<string, KeyCommand>> = {
   '+': 'faster',
   '=': 'faster',
   l: 'loop',
+  '[': 'loop-start',
+  ']': 'loop-end',
+  z: 'zoom-in',
+  '0': 'zoom-all',
   '?': 'help',
   '/': 'filter',
 };
 
-/** `?`, `+`, `/` and `-` need Shift on some keyboards and not on others. */
+/** Signs such as `?`, `+` and `[` need Shift on some keyboards and not on others. */
 const shiftKeys: Readonly<Record<string, KeyCommand>> = {
   ArrowLeft: 'tenth-back',
   ArrowRight: 'tenth-on',
   k: 'previous-keypose',
+  l: 'loop-clear',
+  z: 'zoom-out',
+  '[': 'loop-start',
+  ']': 'loop-end',
   '+': 'faster',
   '?': 'help',
   '/': 'filter',
@@ -62,9 +76,13 @@ function historyCommand(key: string, shift: boolean): KeyCommand | null {
   return key === 'y' && !shift ? 'redo' : null;
 }
 
+/** Signs that some keyboards write only with Alt, or with AltGr, which reads as Ctrl and Alt. */
+const altKeys: Readonly<Record<string, KeyCommand>> = { '[': 'loop-start', ']': 'loop-end' };
+
 export function commandFor(press: KeyPress, focus: KeyFocus): KeyCommand | null {
-  if (press.altKey || focus === 'field') return null;
+  if (focus === 'field') return null;
   const key = press.key.length === 1 ? press.key.toLowerCase() : press.key;
+  if (press.altKey) return altKeys[key] ?? null;
   if (press.ctrlKey || press.metaKey) return historyCommand(key, press.shiftKey);
   if (key === ' ' && focus === 'button') return null;
   return (press.shiftKey ? shiftKeys : plainKeys)[key] ?? null;

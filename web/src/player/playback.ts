@@ -1,11 +1,17 @@
 /**
- * The open clip's clock and the page's commands in; the playback state of the store out. Speed and loop
- * stay as they are from clip to clip.
+ * The open clip's clock and the page's commands in; the playback state of the store out. Speed and whether
+ * it loops stay as they are from clip to clip.
  */
 import type { Store } from '../app/store';
 import { Clock, type LoopRange } from './clock';
 import { nextAfter, previousBefore } from './neighbours';
 import { Ticker } from './ticker';
+
+/** Where a clip is and which part of it loops. */
+export interface Place {
+  readonly frame: number;
+  readonly loop: LoopRange | null;
+}
 
 export interface Playback {
   /** The clock of the open clip. */
@@ -13,7 +19,7 @@ export interface Playback {
   /** Starts the clock of another clip, or of the same one at another rate, at a frame. */
   readonly load: (
     clip: { readonly frames: number; readonly frameTimeS: number },
-    frame: number,
+    place: Place,
   ) => void;
   readonly toggle: () => void;
   readonly pause: () => void;
@@ -43,13 +49,14 @@ class ClockPlayback implements Playback {
     this.store = store;
   }
 
-  load(clip: { readonly frames: number; readonly frameTimeS: number }, frame: number): void {
+  load(clip: { readonly frames: number; readonly frameTimeS: number }, place: Place): void {
     const { speed, looping } = this.clock;
     this.ticker.stop();
     this.clock = new Clock(clip);
     this.clock.setSpeed(speed);
+    if (place.loop) this.clock.setLoop(place.loop);
     this.clock.setLooping(looping);
-    this.clock.seekFrame(frame);
+    this.clock.seekFrame(place.frame);
     this.clock.onChange(() => this.tell());
     this.tell();
   }

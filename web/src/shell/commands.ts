@@ -1,6 +1,7 @@
 /** A command of the keyboard in; what it does on the page out. */
 import type { Context } from '../app/context';
 import type { KeyCommand } from '../player/keys';
+import { zoom } from '../transport/zooming';
 
 type Run = (context: Context) => void;
 
@@ -21,6 +22,12 @@ const commands: Readonly<Record<KeyCommand, Run>> = {
   slower: ({ playback }) => playback.speed(-1),
   faster: ({ playback }) => playback.speed(1),
   loop: ({ playback }) => playback.loop(),
+  'loop-start': ({ playback }) => playback.loopEnd('a'),
+  'loop-end': ({ playback }) => playback.loopEnd('b'),
+  'loop-clear': ({ playback }) => playback.setLoop(null),
+  'zoom-in': ({ store }) => zoom(store, 'in'),
+  'zoom-out': ({ store }) => zoom(store, 'out'),
+  'zoom-all': ({ store }) => zoom(store, 'all'),
   help: ({ store }) => {
     store.helpOpen.value = true;
   },

@@ -3,7 +3,8 @@ import { html, type TemplateResult } from 'lit-html';
 import type { MessageKey, Words } from '../app/i18n/catalogue';
 import { iconButton } from '../common/buttons';
 
-type KeyName = MessageKey | '←' | '→' | '↑' | '↓' | 'K' | 'L' | '-' | '+' | '/' | 'Z' | '?';
+type KeySign = '←' | '→' | '↑' | '↓' | '-' | '+' | '[' | ']' | '/' | '?';
+type KeyName = MessageKey | KeySign | 'K' | 'L' | 'Z' | '0';
 /** Keys pressed together; alternatives stand side by side. */
 type KeyLine = readonly [MessageKey, ...(readonly KeyName[])[]];
 
@@ -14,7 +15,17 @@ const playbackKeys: readonly KeyLine[] = [
   ['help.keypose', ['K'], ['key.shift', 'K']],
   ['help.ends', ['key.home'], ['key.end']],
   ['help.speed', ['-'], ['+']],
+];
+
+const loopKeys: readonly KeyLine[] = [
   ['help.loop', ['L']],
+  ['help.loop-ends', ['['], [']']],
+  ['help.loop-clear', ['key.shift', 'L']],
+];
+
+const timelineKeys: readonly KeyLine[] = [
+  ['help.zoom', ['Z'], ['key.shift', 'Z']],
+  ['help.zoom-all', ['0']],
 ];
 
 const pageKeys: readonly KeyLine[] = [
@@ -51,7 +62,11 @@ export function helpDialog(words: Words, onClose: () => void): TemplateResult {
       ${iconButton({ name: 'x', label: t('help.close'), onPress: onClose })}
     </div>
     <div class="help-tables">
-      ${keyTable(words, 'help.playback', playbackKeys)}${keyTable(words, 'help.page', pageKeys)}
+      <div>${keyTable(words, 'help.playback', playbackKeys)}</div>
+      <div>
+        ${keyTable(words, 'help.loop-title', loopKeys)}${keyTable(words, 'help.timeline', timelineKeys)}
+      </div>
+      <div>${keyTable(words, 'help.page', pageKeys)}</div>
     </div>
   `;
 }

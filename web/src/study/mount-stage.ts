@@ -126,6 +126,10 @@ export function mountStage(places: StagePlaces, context: Context, settings: Stag
       () => onTrouble('no-webgl2'),
     );
   });
+  effect(() => {
+    const drawn = trouble.value === null ? stage.value : null;
+    store.picture.value = drawn && (() => drawn.snapshot());
+  });
   showScene(stage, context);
   showLook(places.stage, stage, context);
   const onView = (view: ViewPreset): void => {
