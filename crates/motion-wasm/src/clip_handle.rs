@@ -258,6 +258,45 @@ impl ClipHandle {
         })
     }
 
+    /// Where each entry of the traces lies between the frames.
+    #[wasm_bindgen(js_name = tracePlaces)]
+    pub fn trace_places(&self, performer: usize) -> Vec<f64> {
+        self.series(performer, series::trace_places)
+    }
+
+    /// Indices of the candidates from the most to the least intense.
+    #[wasm_bindgen(js_name = byIntensity)]
+    pub fn by_intensity(&self, performer: usize) -> Vec<i32> {
+        self.series(performer, |found| {
+            series::signed_all(&found.extraction.by_intensity())
+        })
+    }
+
+    /// The scale at which each candidate is strongest; −1 without a trace.
+    #[wasm_bindgen(js_name = strongestScales)]
+    pub fn strongest_scales(&self, performer: usize) -> Vec<i32> {
+        self.series(performer, series::strongest_scales)
+    }
+
+    /// Keyposes × parts of the body: the change there in percent; NaN where there is none.
+    #[wasm_bindgen(js_name = bodyPartPercents)]
+    pub fn body_part_percents(&self, performer: usize) -> Vec<f64> {
+        self.series(performer, |found| {
+            let changes = found.part_changes.iter().flatten();
+            changes.map(|change| change.unwrap_or(f64::NAN)).collect()
+        })
+    }
+
+    /// Joints whose trails are drawn at first.
+    #[wasm_bindgen(js_name = trailJoints)]
+    pub fn trail_joints(&self, performer: usize) -> Vec<i32> {
+        let found = self
+            .analysis
+            .as_ref()
+            .and_then(|all| series::performer(all, performer));
+        found.map_or_else(Vec::new, |found| series::signed_all(&found.trail_joints))
+    }
+
     /// Indices of the candidates that are keyposes.
     pub fn keyposes(&self, performer: usize) -> Vec<i32> {
         self.series(performer, |found| {

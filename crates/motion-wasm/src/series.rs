@@ -31,6 +31,23 @@ pub fn trace_scales(offsets: &[usize]) -> Vec<i32> {
     lengths.flat_map(|length| (0..length).map(signed)).collect()
 }
 
+/// Where each entry of the traces lies between the frames of the file.
+pub fn trace_places(keyposes: &KeyposeAnalysis) -> Vec<f64> {
+    let places = keyposes.extraction.traces.places.iter();
+    places
+        .map(|place| keyposes.first_frame as f64 + place)
+        .collect()
+}
+
+/// The scale of each candidate's largest u; −1 without a trace.
+pub fn strongest_scales(keyposes: &KeyposeAnalysis) -> Vec<i32> {
+    let extraction = &keyposes.extraction;
+    let strongest = |candidate| extraction.traces.strongest_scale(candidate);
+    (0..extraction.candidates.len())
+        .map(|candidate| strongest(candidate).map_or(-1, signed))
+        .collect()
+}
+
 /// An index as a signed number of 32 bits; none in a clip is larger.
 pub fn signed(value: usize) -> i32 {
     i32::try_from(value).unwrap_or(i32::MAX)

@@ -28,6 +28,7 @@ pub mod hodrick_prescott;
 pub mod keypose;
 pub mod kinematics;
 pub mod note;
+pub mod part_change;
 pub mod report;
 pub mod rest;
 pub mod skeleton;

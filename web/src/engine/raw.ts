@@ -200,7 +200,7 @@ function performerOf(
     ...rest,
     skeleton: { labels, parents: handle.parents(index), endSites: handle.endSites(index) },
     keyposes: keyposes === null ? null : keyposesOf(handle, keyposes, index),
-    trailJoints: new Int32Array(),
+    trailJoints: handle.trailJoints(index),
     feature: feature.length === 0 ? null : feature,
   };
 }
@@ -218,10 +218,10 @@ function keyposesOf(handle: ClipHandle, summary: KeyposeSummary, index: number):
     traceScales: handle.traceScales(index),
     traceFrames: handle.traceFrames(index),
     traceIntensities: handle.traceIntensities(index),
-    tracePlaces: Float64Array.from(handle.traceFrames(index)),
-    byIntensity: new Int32Array(),
-    strongestScales: new Int32Array(),
-    bodyPartPercents: new Float64Array(),
+    tracePlaces: handle.tracePlaces(index),
+    byIntensity: handle.byIntensity(index),
+    strongestScales: handle.strongestScales(index),
+    bodyPartPercents: handle.bodyPartPercents(index),
     postures: [],
     keyposes: handle.keyposes(index),
   };

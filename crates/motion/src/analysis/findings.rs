@@ -3,6 +3,7 @@
 
 use super::performer::Settings;
 use super::placement::Placement;
+use super::trails::Trails;
 use super::{KeyposeAnalysis, PerformerAnalysis};
 use crate::body::Body;
 use crate::clip::Clip;
@@ -10,6 +11,7 @@ use crate::figure;
 use crate::keypose::Extraction;
 use crate::kinematics::Kinematics;
 use crate::note::{Note, NoteKind};
+use crate::part_change::PartChange;
 use crate::speed::MotionSpeed;
 use crate::track::PelvisTrack;
 
@@ -24,9 +26,11 @@ pub struct Findings<'a> {
     pub track: &'a PelvisTrack,
     pub jumps: &'a [Note],
     pub feature: Option<[f64; 12]>,
+    pub trails: Trails,
     pub speed: Option<&'a MotionSpeed>,
     pub trend: &'a [f64],
     pub extraction: Option<&'a Extraction>,
+    pub part_changes: &'a [PartChange],
 }
 
 impl Findings<'_> {
@@ -55,6 +59,7 @@ impl Findings<'_> {
             thumbnail_frame,
             side_yaw_rad: self.side_yaw_rad(&frames),
             front_yaw_rad: placement.front_yaw_rad,
+            trail_joints: self.trail_joints(),
             notes: self.notes(unit.is_none()),
         }
     }
@@ -66,12 +71,20 @@ impl Findings<'_> {
                 speed: speed.values.clone(),
                 trend: self.trend.to_vec(),
                 extraction: extraction.clone(),
+                part_changes: self.part_changes.to_vec(),
             }),
             _ if self.clip.frames == 0 => Err(Note::new(NoteKind::NoMotion, Vec::new())),
             _ => {
                 let frames = self.track.frames().to_string();
                 Err(Note::new(NoteKind::TooShort, vec![frames]))
             }
+        }
+    }
+
+    fn trail_joints(&self) -> Vec<usize> {
+        match self.body.is_human() {
+            true => self.trails.joints(self.body),
+            false => Vec::new(),
         }
     }
 

@@ -1,7 +1,8 @@
-//! One performer's analysed frames, some at a step: its track, and on the way the feature and the
-//! discontinuities, which need each frame once.
+//! One performer's analysed frames, some at a step: its track, and on the way the feature, the
+//! discontinuities and the trails, which need each frame once.
 
-use crate::body::{PelvisFrame, PoseTable, TrackRun};
+use super::trails::Trails;
+use crate::body::{PRINCIPAL_JOINTS, PelvisFrame, PoseTable, TrackRun};
 use crate::discontinuity;
 use crate::feature::PostureVariation;
 use crate::note::Note;
@@ -14,6 +15,7 @@ pub struct Following {
     run: TrackRun,
     variation: PostureVariation,
     steps: Vec<f64>,
+    trails: Trails,
 }
 
 /// What following the frames gives.
@@ -23,6 +25,8 @@ pub struct Followed {
     pub jumps: Vec<Note>,
     /// None without frames.
     pub feature: Option<[f64; 12]>,
+    /// Of a human body; else without meaning.
+    pub trails: Trails,
 }
 
 impl Following {
@@ -32,6 +36,7 @@ impl Following {
             run: TrackRun::new(table, frame, first_frame),
             variation: PostureVariation::default(),
             steps: Vec::new(),
+            trails: Trails::default(),
         }
     }
 
@@ -54,6 +59,9 @@ impl Following {
             if frame > 0 {
                 let (before, now) = (self.run.frame(frame - 1), self.run.frame(frame));
                 self.steps.push(rest::step_between(before, now));
+                if now.len() >= 3 * PRINCIPAL_JOINTS {
+                    self.trails.add(before, now);
+                }
             }
         }
         is_complete
@@ -65,6 +73,7 @@ impl Following {
         Followed {
             jumps: discontinuity::among(&self.steps, track.first_frame),
             feature: (track.frames() > 0).then(|| self.variation.feature()),
+            trails: self.trails,
             track,
         }
     }

@@ -11,6 +11,7 @@ mod following;
 mod performer;
 mod placement;
 mod settings;
+mod trails;
 
 pub use analyser::Analyser;
 pub use settings::{Decisions, SettingsError, Source};
@@ -19,6 +20,7 @@ use crate::body::Body;
 use crate::clip::Clip;
 use crate::keypose::{Extraction, Options};
 use crate::note::Note;
+use crate::part_change::PartChange;
 use crate::rest::LeadingRest;
 use crate::world::{Unit, Up};
 
@@ -60,6 +62,9 @@ pub struct PerformerAnalysis {
     pub side_yaw_rad: f64,
     /// The yaw, of the same kind, of a viewer whom the pelvis faces in the mean.
     pub front_yaw_rad: f64,
+    /// The wrist and the ankle with the longest path in the pelvis frame, whose trails are drawn at
+    /// first; empty where the body is not human.
+    pub trail_joints: Vec<usize>,
     /// What was assumed and found out of the ordinary.
     pub notes: Vec<Note>,
 }
@@ -75,6 +80,9 @@ pub struct KeyposeAnalysis {
     pub trend: Vec<f64>,
     /// Candidates, traces, intensities and keyposes; frames count from `first_frame`.
     pub extraction: Extraction,
+    /// Of each keypose, how the parts of the body move there against the time around it; empty where
+    /// the body is not human.
+    pub part_changes: Vec<PartChange>,
 }
 
 impl KeyposeAnalysis {

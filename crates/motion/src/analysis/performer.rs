@@ -6,10 +6,12 @@ use super::findings::Findings;
 use super::following::Following;
 use super::placement::Placement;
 use super::settings::Decisions;
-use crate::body::{self, Body, PelvisFrame, PoseTable, TableBuilder};
+use super::trails::Trails;
+use crate::body::{self, BODY_PARTS, Body, PelvisFrame, PoseTable, TableBuilder};
 use crate::clip::Clip;
 use crate::keypose::{Extraction, Extractor, Options, OptionsError};
 use crate::note::Note;
+use crate::part_change::{PartChange, part_change};
 use crate::speed::{self, MotionSpeed, SpeedRun};
 use crate::track::PelvisTrack;
 
@@ -50,11 +52,13 @@ pub struct PerformerRun {
     track: Option<PelvisTrack>,
     jumps: Vec<Note>,
     feature: Option<[f64; 12]>,
+    trails: Trails,
     speed_run: Option<SpeedRun>,
     speed: Option<MotionSpeed>,
     trend: Vec<f64>,
     extractor: Option<Extractor>,
     extraction: Option<Extraction>,
+    part_changes: Option<Vec<PartChange>>,
     analysis: Option<PerformerAnalysis>,
 }
 
@@ -85,6 +89,9 @@ impl PerformerRun {
         self.following = None;
         self.track = None;
         self.speed_run = None;
+        if let Some(speed) = &mut self.speed {
+            speed.parts = Vec::new();
+        }
     }
 
     /// Bytes that the poses take.
@@ -94,7 +101,12 @@ impl PerformerRun {
             .as_ref()
             .map_or(0, |track| track.coordinates.capacity());
         let following = self.following.as_ref().map_or(0, Following::capacity);
-        (track + following + self.table.joints.capacity()) * size_of::<f64>()
+        let parts = self
+            .speed
+            .as_ref()
+            .map_or(0, |speed| speed.parts.capacity());
+        let poses = track + following + self.table.joints.capacity();
+        (poses + parts * BODY_PARTS) * size_of::<f64>()
     }
 
     /// The result, once [`Self::step`] has said 1.
@@ -134,6 +146,11 @@ impl PerformerRun {
             let done = self.extract(settings)?;
             return Ok(SPEED_KNOWN + (0.99 - SPEED_KNOWN) * done);
         }
+        if self.part_changes.is_none() && self.speed.is_some() {
+            let is_human = body.is_human();
+            self.compare_parts(is_human, settings.frame_rate_hz);
+            return Ok(0.99);
+        }
         self.analysis = self.finished(clip, performer, settings);
         Ok(1.0)
     }
@@ -148,6 +165,7 @@ impl PerformerRun {
     fn forget_extraction(&mut self) {
         self.extractor = None;
         self.extraction = None;
+        self.part_changes = None;
     }
 
     /// Adds poses to the table, or, when all are there, makes what comes of it.
@@ -204,6 +222,7 @@ impl PerformerRun {
             let followed = following.finish();
             self.jumps = followed.jumps;
             self.feature = followed.feature.filter(|_| is_human);
+            self.trails = followed.trails;
             self.track = Some(followed.track);
         } else {
             self.following = Some(following);
@@ -216,8 +235,10 @@ impl PerformerRun {
             return 0.0;
         };
         let (rate_hz, cutoff_hz) = (settings.frame_rate_hz, settings.options.low_pass_hz);
+        let is_human = self.body.as_ref().is_some_and(Body::is_human);
         let mut run = match self.speed_run.take() {
             Some(run) => run,
+            None if is_human => SpeedRun::new(track, rate_hz, cutoff_hz).with_parts(),
             None => SpeedRun::new(track, rate_hz, cutoff_hz),
         };
         let done = run.progress();
@@ -249,6 +270,23 @@ impl PerformerRun {
         Ok(done)
     }
 
+    /// Compares the parts of a human body at the keyposes with the time around; where their speeds
+    /// are gone with the motion, has them measured again.
+    fn compare_parts(&mut self, is_human: bool, rate_hz: f64) {
+        let (Some(speed), Some(extraction)) = (&self.speed, &self.extraction) else {
+            return;
+        };
+        if !is_human {
+            self.part_changes = Some(Vec::new());
+        } else if speed.parts.is_empty() {
+            self.speed = None;
+        } else {
+            let keyposes = extraction.keyposes();
+            let change = |frame: &usize| part_change(&speed.parts, *frame, rate_hz);
+            self.part_changes = Some(keyposes.iter().map(change).collect());
+        }
+    }
+
     fn finished(
         &self,
         clip: &Clip,
@@ -264,9 +302,11 @@ impl PerformerRun {
             track: self.track.as_ref()?,
             jumps: &self.jumps,
             feature: self.feature,
+            trails: self.trails,
             speed: self.speed.as_ref(),
             trend: &self.trend,
             extraction: self.extraction.as_ref(),
+            part_changes: self.part_changes.as_deref().unwrap_or_default(),
         };
         Some(findings.analysis())
     }
