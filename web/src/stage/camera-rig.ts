@@ -83,6 +83,17 @@ export class CameraRig {
     this.events.onMove();
   }
 
+  /** Goes around the target, at once or by a short move; what is followed stays followed. */
+  turn(byRad: number, animated: boolean): void {
+    const resting = this.progress >= 1;
+    this.readView(this.from);
+    if (resting) Object.assign(this.to, this.from);
+    this.to.yawRad += byRad;
+    this.progress = animated ? 0 : 1;
+    if (!animated) this.apply(this.to);
+    this.events.onMove();
+  }
+
   /** Lets time pass; true while the camera is still on its way. */
   step(dtS: number, smooth: boolean, followed: Framing | null): boolean {
     const moving = this.stepMove(dtS);

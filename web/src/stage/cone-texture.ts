@@ -7,7 +7,8 @@ const TEXELS = 3;
 /** Numbers of one cone in `data`. */
 export const TEXTURE_STRIDE = TEXELS * 4;
 
-const SIDE_NUMBER: Readonly<Record<Side, number>> = { left: 0, right: 1, trunk: 2 };
+/** Sides as the shaders number them. */
+export const SIDE_NUMBER: Readonly<Record<Side, number>> = { left: 0, right: 1, trunk: 2 };
 
 export class ConeTexture {
   readonly data: Float32Array;

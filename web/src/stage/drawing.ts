@@ -1,10 +1,14 @@
 /** In: a stage's properties and frames. Out: pictures on a canvas, one when something changed, else none. */
 import { WebGLRenderer } from 'three';
 import { CameraRig } from './camera-rig';
+import type { StagePerformer } from './figure-set';
 import { readPalette } from './palette';
+import { Picker } from './picker';
 import { Quality } from './quality';
 import type { StageMetrics, StageProps } from './stage-props';
-import { type StagePerformer, StageScene } from './stage-scene';
+import { StageScene } from './stage-scene';
+import { StageTags } from './stage-tags';
+import { uniformVectors } from './uniform-count';
 import { type Framing, framing, presetView, type ViewPreset } from './view';
 
 const MOST_PIXEL_RATIO = 2;
@@ -25,6 +29,16 @@ export function createDrawing(target: HTMLElement, props: StageProps): Drawing |
   return new Drawing(target, canvas, new WebGLRenderer({ canvas, context }), props);
 }
 
+/** What a stage without graphics tells. */
+export const noMetrics: StageMetrics = {
+  drawCalls: 0,
+  triangles: 0,
+  framesDrawn: 0,
+  lastFrameMs: 0,
+  uniformVectors: 0,
+  reduced: false,
+};
+
 export class Drawing {
   private readonly target: HTMLElement;
   private readonly canvas: HTMLCanvasElement;
@@ -32,6 +46,8 @@ export class Drawing {
   private readonly scene = new StageScene();
   private readonly rig: CameraRig;
   private readonly quality = new Quality();
+  private readonly tags: StageTags;
+  private readonly picker: Picker;
   private readonly observer: ResizeObserver;
   private props: StageProps;
   private preset: ViewPreset | null;
@@ -41,6 +57,7 @@ export class Drawing {
   private frame = 0;
   private direction: -1 | 0 | 1 = 0;
   private posesStale = true;
+  private drawable = true;
   private unframed = true;
   /** The camera is still on its way. */
   private moving = false;
@@ -67,9 +84,17 @@ export class Drawing {
     canvas.addEventListener('webglcontextlost', this.onLost);
     canvas.addEventListener('webglcontextrestored', this.onRestored);
     this.rig.place(presetView('side', NO_YAWS, 1, this.scene.place), false);
+    this.picker = new Picker(canvas, this.rig.camera, {
+      pick: (ray) => this.scene.pick(ray),
+      onHover: (hit) => this.props.onHover?.(hit),
+      onPress: (hit) => this.props.onPick?.(hit),
+    });
+    this.tags = new StageTags(target);
+    this.tags.setProps(props);
     this.setLabel(props);
     this.scene.setPalette(readPalette(target, props.theme));
     this.setPerformers(props.performers);
+    this.setMoments(props);
     this.observer = new ResizeObserver(this.onResize);
     this.observer.observe(target);
   }
@@ -82,6 +107,8 @@ export class Drawing {
       this.unframed ||= !sameWorld(props.performers, before.performers);
       this.setPerformers(props.performers);
     }
+    this.setMoments(props, before);
+    this.tags.setProps(props);
     if (props.follow && !before.follow) this.rig.startFollowing(this.framing());
     if (props.view !== null && props.view !== before.view) this.frameView(props.view);
     this.requestDraw();
@@ -99,15 +126,36 @@ export class Drawing {
     this.preset = preset;
     const performer = this.props.performers[0] as StagePerformer | undefined;
     if (performer === undefined || !this.scene.ready) return;
+    this.scene.forgetReach();
     const view = presetView(preset, performer, this.width / this.height, this.scene.place);
     this.rig.place(view, !this.unframed && !this.props.reducedMotion);
     this.unframed = false;
   }
 
+  /** Turns the camera around the figures by a quarter. */
+  turn(): void {
+    this.rig.turn(Math.PI / 2, !this.props.reducedMotion);
+    this.onTurn();
+  }
+
+  /** Shows and draws a frame at once: for measurements. */
+  drawFrame(frame: number): void {
+    this.show(frame);
+    this.drawNow(performance.now());
+  }
+
   metrics(): StageMetrics {
-    const { calls, triangles } = this.renderer.info.render;
+    const { info } = this.renderer;
     const { framesDrawn, lastFrameMs } = this;
-    return { drawCalls: calls, triangles, framesDrawn, lastFrameMs };
+    const programs = info.programs?.map(({ program }) => program as WebGLProgram) ?? [];
+    return {
+      drawCalls: info.render.calls,
+      triangles: info.render.triangles,
+      framesDrawn,
+      lastFrameMs,
+      uniformVectors: uniformVectors(this.renderer.getContext() as WebGL2RenderingContext, programs),
+      reduced: this.quality.reduced,
+    };
   }
 
   snapshot(): Promise<Blob> {
@@ -126,6 +174,8 @@ export class Drawing {
     for (const end of this.ends) end();
     this.canvas.removeEventListener('webglcontextlost', this.onLost);
     this.canvas.removeEventListener('webglcontextrestored', this.onRestored);
+    this.picker.dispose();
+    this.tags.destroy();
     this.rig.dispose();
     // A page has few contexts: this one is given back now, not when memory is tidied.
     this.renderer.forceContextLoss();
@@ -137,6 +187,19 @@ export class Drawing {
   private setLabel({ label }: StageProps): void {
     this.canvas.setAttribute('role', 'img');
     if (label !== undefined) this.canvas.setAttribute('aria-label', label);
+  }
+
+  /** Ghosts, trails, and whose they are. */
+  private setMoments(props: StageProps, before?: StageProps): void {
+    const { chosen, ghosts, trails, moreContrast } = props;
+    this.scene.setChosen(chosen);
+    if (ghosts !== before?.ghosts) this.scene.setGhosts(ghosts.map(({ pose }) => pose));
+    if (trails !== before?.trails) {
+      this.scene.setTrails(trails);
+      // The playhead on the new paths.
+      this.posesStale = true;
+    }
+    this.scene.setContrast(moreContrast);
   }
 
   private setPerformers(performers: readonly StagePerformer[]): void {
@@ -170,6 +233,7 @@ export class Drawing {
     const ratio = this.quality.reduced ? 1 : Math.min(window.devicePixelRatio, MOST_PIXEL_RATIO);
     this.renderer.setPixelRatio(ratio);
     this.scene.setPixelRatio(ratio);
+    this.scene.setGhostShade(!this.quality.reduced);
     this.renderer.setSize(this.width, this.height, false);
     this.rig.setAspect(this.width / this.height);
   }
@@ -206,7 +270,10 @@ export class Drawing {
     if (this.unframed && this.scene.ready) this.frameFirst();
     this.moveCamera(nowMs);
     this.scene.setGridCentre(this.rig.targetX, this.rig.targetZ);
+    this.scene.setEye(this.rig.camera.position);
     this.renderer.render(this.scene.scene, this.rig.camera);
+    const { width, height } = this;
+    this.tags.place(this.scene, this.rig.camera, { width, height, ...this.props.corners });
     this.framesDrawn++;
     this.lastFrameMs = performance.now() - startMs;
     if (this.moving) this.requestDraw();
@@ -222,6 +289,9 @@ export class Drawing {
   private readPoses(): void {
     for (const { source } of this.props.performers) source.prefetch(this.frame, this.direction);
     this.posesStale = !this.scene.showFrame(this.frame);
+    if (this.scene.drawable === this.drawable) return;
+    this.drawable = this.scene.drawable;
+    this.props.onDrawable?.(this.drawable);
   }
 
   private framing(): Framing {

@@ -13,17 +13,23 @@ const HUMAN_HIGH = 1.17;
 const HUMAN_LOW = -0.1;
 /** A joint gone astray does not make the rest a dot. */
 const MOST_EXCESS = 3;
+/** Beyond as many body heights the graphics' numbers are too coarse for a figure. */
+const FARTHEST = 1e5;
 
 /** One performer's figure in the scene, pose by pose. */
 export class FigurePose {
   readonly joints: Float32Array;
   readonly bones: readonly BoneCone[];
+  /** Body height in those of the scene. */
+  readonly radiusScale: number;
+  private readonly performer: FigurePerformer;
   private readonly frame: SceneFrame;
-  private readonly radiusScale: number;
   private readonly pelvis: number;
   private readonly human: boolean;
   /** How far from its pelvis the figure shades the ground. */
   groundReach = 0;
+  /** Height of its highest joint. */
+  top = 0;
   /** Where its middle is over the ground: a human's pelvis, the mean of another body's joints. */
   middleX = 0;
   middleZ = 0;
@@ -32,8 +38,14 @@ export class FigurePose {
   excessHigh = 0;
   excessLow = 0;
 
-  /** `frame` is the clip's; the bones are laid out by the first pose. */
-  constructor(performer: FigurePerformer, frame: SceneFrame, pose: Float32Array) {
+  /** `frame` is the clip's; the bones are laid out by the first pose, unless they are given. */
+  constructor(
+    performer: FigurePerformer,
+    frame: SceneFrame,
+    pose: Float32Array,
+    bones?: readonly BoneCone[],
+  ) {
+    this.performer = performer;
     this.frame = frame;
     this.joints = new Float32Array(pose.length);
     this.pelvis = Math.max(0, performer.body.pelvis);
@@ -41,12 +53,13 @@ export class FigurePose {
     const height = performer.body.height;
     this.radiusScale = height > 0 ? height / frame.bodyHeight : 1;
     toScene(pose, { ...frame, bodyHeight: frame.bodyHeight * this.radiusScale }, this.joints);
-    this.bones = figureBones(performer.skeleton, performer.body, this.joints);
+    this.bones = bones ?? figureBones(performer.skeleton, performer.body, this.joints);
   }
 
-  /** Writes the pose's cones into `texture` from cone number `first`. */
-  writePose(pose: Float32Array, texture: ConeTexture, first: number): void {
+  /** Writes the pose's cones into `texture` from cone number `first`; false if it has no place in the picture. */
+  writePose(pose: Float32Array, texture: ConeTexture, first: number): boolean {
     toScene(pose, this.frame, this.joints);
+    if (!isDrawable(this.joints)) return false;
     writeCones(
       this.bones,
       this.joints,
@@ -56,6 +69,17 @@ export class FigurePose {
       TEXTURE_STRIDE,
     );
     this.measure();
+    return true;
+  }
+
+  /** Another figure of the same body. */
+  twin(): FigurePose {
+    return new FigurePose(this.performer, this.frame, this.joints, this.bones);
+  }
+
+  /** Writes the places of the joints in another pose into `out`. */
+  placesOf(pose: ArrayLike<number>, out: Float32Array): void {
+    toScene(pose, this.frame, out);
   }
 
   get x(): number {
@@ -76,6 +100,7 @@ export class FigurePose {
       top = Math.max(top, joints[i + 1]);
       bottom = Math.min(bottom, joints[i + 1]);
     }
+    this.top = top;
     this.groundReach = reach + SHADOW_OF_HEIGHT * top + SHADE_WIDTH;
     this.findMiddle();
     this.excessHigh = wider(this.excessHigh, this.human ? top - HUMAN_HIGH : top - 1);
@@ -104,6 +129,12 @@ export class FigurePose {
       reach = Math.max(reach, Math.hypot(joints[i] - middleX, joints[i + 2] - middleZ));
     return reach;
   }
+}
+
+/** Every joint is at a place that graphics can show. */
+function isDrawable(joints: Float32Array): boolean {
+  for (let i = 0; i < joints.length; i++) if (!(Math.abs(joints[i]) < FARTHEST)) return false;
+  return true;
 }
 
 function wider(excess: number, now: number): number {

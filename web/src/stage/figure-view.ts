@@ -1,5 +1,5 @@
 /** In: a range of cones in the cone texture. Out: a figure, drawn in one instanced call. */
-import { Color, GLSL3, type IUniform, Mesh, ShaderMaterial } from 'three';
+import { Color, GLSL3, type IUniform, Mesh, ShaderMaterial, type ShaderMaterialParameters } from 'three';
 import { coneGeometry } from './cone-geometry';
 import type { Palette } from './palette';
 import { figureFragment, figureVertex } from './shaders';
@@ -7,17 +7,31 @@ import { figureFragment, figureVertex } from './shaders';
 /** Uniforms that all figures and the ground share. */
 export type SharedUniforms = Record<'cones' | 'sunDirection', IUniform>;
 
-/** The matter of all figures: one shader program, compiled once for all clips. */
+/** What is drawn of a figure; it may change from frame to frame. */
+export interface FigureLook {
+  readonly first: number;
+  readonly count: number;
+  /** In a leading rest frame, which is greyed. */
+  resting: boolean;
+  /** Whether the figure darkens itself. */
+  occluded: boolean;
+}
+
+/** The matter of figures: one shader program, compiled once for all clips. */
 export class FigureMaterial extends ShaderMaterial {
-  constructor(shared: SharedUniforms) {
+  constructor(shared: SharedUniforms, parameters: ShaderMaterialParameters = {}) {
     super({
       glslVersion: GLSL3,
       vertexShader: figureVertex,
       fragmentShader: figureFragment,
+      ...parameters,
       uniforms: {
         ...shared,
         firstCone: { value: 0 },
-        coneCount: { value: 0 },
+        occluderCount: { value: 0 },
+        opacity: { value: 1 },
+        resting: { value: 0 },
+        restColour: { value: new Color() },
         sideColours: { value: [new Color(), new Color(), new Color()] },
         sky: { value: null },
         ground: { value: null },
@@ -27,9 +41,10 @@ export class FigureMaterial extends ShaderMaterial {
     });
   }
 
-  setPalette({ left, right, trunk, lighting }: Palette): void {
+  setPalette({ left, right, trunk, rest, lighting }: Palette): void {
     const { uniforms } = this;
     uniforms.sideColours.value = [left, right, trunk];
+    uniforms.restColour.value = rest;
     uniforms.sky.value = lighting.sky;
     uniforms.ground.value = lighting.ground;
     uniforms.sun.value = lighting.sun;
@@ -37,13 +52,15 @@ export class FigureMaterial extends ShaderMaterial {
   }
 }
 
-/** The mesh of a figure of `count` cones, the first of which has number `first`. */
-export function figureMesh(material: FigureMaterial, first: number, count: number): Mesh {
-  const mesh = new Mesh(coneGeometry(count), material);
+/** The mesh of a figure in the matter given; `look` is read whenever it is drawn. */
+export function figureMesh(material: FigureMaterial, look: FigureLook): Mesh {
+  const mesh = new Mesh(coneGeometry(look.count), material);
   mesh.frustumCulled = false;
   mesh.onBeforeRender = () => {
-    material.uniforms.firstCone.value = first;
-    material.uniforms.coneCount.value = count;
+    const { uniforms } = material;
+    uniforms.firstCone.value = look.first;
+    uniforms.occluderCount.value = look.occluded ? look.count : 0;
+    uniforms.resting.value = look.resting ? 1 : 0;
     material.uniformsNeedUpdate = true;
   };
   return mesh;

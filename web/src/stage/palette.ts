@@ -17,6 +17,8 @@ export interface Palette {
   readonly left: Color;
   readonly right: Color;
   readonly trunk: Color;
+  /** All of a body while it rests before the motion. */
+  readonly rest: Color;
   readonly stageTop: Color;
   readonly stageBottom: Color;
   readonly grid: Color;
@@ -52,9 +54,17 @@ interface Tint {
   readonly gain: number;
 }
 
-const TINTS: Readonly<Record<Theme, { readonly limbs: Tint; readonly trunk: Tint }>> = {
-  light: { limbs: { white: 0.15, gain: 1.2 }, trunk: { white: 0.31, gain: 1 } },
-  dark: { limbs: { white: -0.1, gain: 0.9 }, trunk: { white: 0, gain: 0.76 } },
+const TINTS: Readonly<Record<Theme, Readonly<Record<'limbs' | 'trunk' | 'rest', Tint>>>> = {
+  light: {
+    limbs: { white: 0.15, gain: 1.2 },
+    trunk: { white: 0.31, gain: 1 },
+    rest: { white: 0.35, gain: 1 },
+  },
+  dark: {
+    limbs: { white: -0.1, gain: 0.9 },
+    trunk: { white: 0, gain: 0.76 },
+    rest: { white: -0.1, gain: 0.8 },
+  },
 };
 
 const WHITE = new Color(1, 1, 1);
@@ -83,6 +93,7 @@ export function readPalette(element: Element, theme: Theme): Palette {
     left: tinted(read('--left'), TINTS[theme].limbs),
     right: tinted(read('--right'), TINTS[theme].limbs),
     trunk: tinted(read('--trunk'), TINTS[theme].trunk),
+    rest: tinted(read('--line3'), TINTS[theme].rest),
     stageTop: read('--stage-a').convertLinearToSRGB(),
     stageBottom: read('--stage-b').convertLinearToSRGB(),
     grid: read('--line3'),

@@ -54,6 +54,10 @@ export const figureVertex = /* glsl */ `
 ${CONES}
 uniform int firstCone;
 uniform vec3 sideColours[3];
+uniform vec3 restColour;
+uniform float resting;
+// A ghost is drawn twice, for its depth and for its colour: both must lie in the same place.
+invariant gl_Position;
 out vec3 worldPosition;
 flat out vec3 colour;
 flat out int cone;
@@ -88,7 +92,7 @@ void main() {
     ball = b;
   }
   worldPosition = ball.xyz + ball.w * n;
-  colour = sideColours[int(kind.y + .5)];
+  colour = mix(sideColours[int(kind.y + .5)], restColour, resting);
   gl_Position = projectionMatrix * viewMatrix * vec4(worldPosition, 1.);
   // The trunk wins where a limb begins inside it with nearly its radius.
   vec3 toEye = normalize(cameraPosition - worldPosition);
@@ -101,7 +105,8 @@ export const figureFragment = /* glsl */ `
 ${CONES}
 ${OCCLUSION}
 uniform int firstCone;
-uniform int coneCount;
+uniform int occluderCount;
+uniform float opacity;
 uniform vec3 sky, ground, sun, rim;
 in vec3 worldPosition;
 flat in vec3 colour;
@@ -125,7 +130,7 @@ void main() {
 
   vec3 toEye = normalize(cameraPosition - p);
   float open = 1., lit = 1.;
-  for (int i = 0; i < min(coneCount, ${MOST_OCCLUDERS}); i++) {
+  for (int i = 0; i < min(occluderCount, ${MOST_OCCLUDERS}); i++) {
     int other = firstCone + i;
     if (abs(coneKind(other).x - limb) < .5) continue;
     vec4 start = coneStart(other), end = coneEnd(other);
@@ -138,8 +143,40 @@ void main() {
   float sunlight = mix(max(facing + .35, 0.) / 1.35 * .35, max(facing, 0.), .7) * mix(.35, 1., lit);
   float edge = pow(1. - max(dot(n, toEye), 0.), 3.);
   vec3 light = mix(ground, sky, upward) * open + sun * sunlight;
-  pixel = linearToOutputTexel(vec4(colour * light + rim * edge * (.4 + .6 * upward) * open, 1.));
+  pixel = linearToOutputTexel(vec4(colour * light + rim * edge * (.4 + .6 * upward) * open, opacity));
 }
+`;
+
+/** Leaves nothing but its depth. */
+export const depthFragment = /* glsl */ `
+out vec4 pixel;
+void main() { pixel = vec4(0.); }
+`;
+
+/** Tubes of trail-geometry.ts: strongest at the figure, fading towards both ends. */
+export const trailVertex = /* glsl */ `
+uniform vec3 sideColours[3];
+uniform float now;
+in float time;
+in float side;
+out vec3 colour;
+out float alpha;
+void main() {
+  vec4 place = viewMatrix * vec4(position, 1.);
+  float facing = dot(mat3(viewMatrix) * normal, normalize(-place.xyz));
+  colour = sideColours[int(side + .5)] * (.72 + .28 * facing);
+  alpha = time <= now
+    ? .9 * time / max(now, 1e-6)
+    : .35 * (1. - time) / max(1. - now, 1e-6);
+  gl_Position = projectionMatrix * place;
+}
+`;
+
+export const trailFragment = /* glsl */ `
+in vec3 colour;
+in float alpha;
+out vec4 pixel;
+void main() { pixel = linearToOutputTexel(vec4(colour, alpha)); }
 `;
 
 export const groundVertex = /* glsl */ `
@@ -156,8 +193,9 @@ ${CONES}
 ${OCCLUSION}
 uniform ivec2 figures[${NEAR_FIGURES}];
 uniform vec3 figureBounds[${NEAR_FIGURES}];
+uniform float figureWeights[${NEAR_FIGURES}];
 uniform int figureCount;
-uniform vec3 spots[${MOST_SPOTS}];
+uniform vec4 spots[${MOST_SPOTS}];
 uniform int spotCount;
 uniform vec2 centre;
 uniform float cell, fade, pixelRatio, gridStrength, shadowStrength;
@@ -180,15 +218,18 @@ void main() {
   for (int f = 0; f < figureCount; f++) {
     if (distance(place, figureBounds[f].xy) > figureBounds[f].z) continue;
     int last = figures[f].x + min(figures[f].y, ${MOST_OCCLUDERS});
+    float sky = 1., sun = 1.;
     for (int cone = figures[f].x; cone < last; cone++) {
       vec4 a = coneStart(cone), b = coneEnd(cone);
-      open *= openSky(p, vec3(0., 1., 0.), a, b);
-      lit = min(lit, openSun(p, a, b, 2.6));
+      sky *= openSky(p, vec3(0., 1., 0.), a, b);
+      sun = min(sun, openSun(p, a, b, 2.6));
     }
+    open *= mix(1., sky, figureWeights[f]);
+    lit = min(lit, mix(1., sun, figureWeights[f]));
   }
   for (int s = 0; s < spotCount; s++) {
     vec2 off = (place - spots[s].xy) / spots[s].z;
-    open *= 1. - .5 * exp(-dot(off, off));
+    open *= 1. - spots[s].w * exp(-dot(off, off));
   }
   float away = distance(place, centre);
   float grid = max(lines(cell, .7) * .6, lines(cell * 2., .8))

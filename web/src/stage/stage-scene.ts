@@ -1,56 +1,57 @@
-/** In: performers, their poses, a palette. Out: the three.js scene: background, ground, figures. */
-import { type Mesh, Scene } from 'three';
-import type { PerformerResult } from '../engine/types';
-import type { PoseSource } from '../engine/pose-source';
-import { type FigurePerformer, type SceneFrame, sceneFrameOf } from '../figure/up-frame';
+/** In: performers, their poses, a palette. Out: the three.js scene: background, ground, figures, ghosts, trails. */
+import { Scene, type Vector3 } from 'three';
 import { BackgroundView } from './background-view';
-import { ConeTexture } from './cone-texture';
-import { FigurePose } from './figure-pose';
+import { TEXTURE_STRIDE } from './cone-texture';
+import { type Figure, FigureSet, type StagePerformer } from './figure-set';
 import { figureMesh, FigureMaterial, type SharedUniforms } from './figure-view';
+import { GhostSet, MOST_GHOSTS } from './ghost-set';
+import { GhostMatter, type GhostView } from './ghost-view';
 import { type GroundFigure, GroundView } from './ground-view';
 import { type Palette, SUN_DIRECTION } from './palette';
-
-/** One performer of the clip on the stage. */
-export interface StagePerformer extends FigurePerformer {
-  readonly unit: PerformerResult['unit'];
-  readonly sideYawRad: number;
-  readonly frontYawRad: number;
-  readonly source: PoseSource;
-}
+import { jointOfHit, pickCone, type Ray } from './pick';
+import type { StageTrails } from './stage-props';
+import { TrailView } from './trail-view';
+import { trailPaths, trailTime } from './trail-paths';
 
 /** Metres between the lines of the grid; in body heights where the unit is unknown. */
 const CELL = 0.5;
 
-interface Figure extends GroundFigure {
-  readonly pose: FigurePose;
-  readonly mesh: Mesh;
-  x: number;
-  z: number;
-  groundReach: number;
-}
-
 export class StageScene {
   readonly scene = new Scene();
   /** Where the figures stand and how far beyond a standing human they reach, in body heights. */
-  readonly place = { x: 0, z: 0, reach: 0, above: 0, below: 0 };
+  readonly place = { x: 0, z: 0, reach: 0, above: 0, below: 0, ghosts: 0 };
+  /** The ghosts in the order of their poses; null where one cannot be drawn. */
+  ghostViews: readonly (GhostView | null)[] = [];
   private readonly background = new BackgroundView();
   private readonly shared: SharedUniforms = {
     cones: { value: null },
     sunDirection: { value: SUN_DIRECTION },
   };
   private readonly ground = new GroundView(this.shared);
-  private cones = new ConeTexture(0);
+  private readonly material = new FigureMaterial(this.shared);
+  private readonly matter = new GhostMatter(this.shared);
+  private readonly set = new FigureSet(this.scene, this.material, this.shared);
+  private readonly ghosts = new GhostSet(this.scene, this.matter);
+  private readonly trailView = new TrailView();
   private performers: readonly StagePerformer[] = [];
-  private figures: Figure[] = [];
+  private chosen = 0;
+  private ghostPoses: readonly Float32Array[] = [];
+  private trails: StageTrails | null = null;
+  private readonly shades: GroundFigure[] = [];
   /** The figures are those of former performers. */
   private outdated = false;
-  private readonly material = new FigureMaterial(this.shared);
-  /** Draws nothing, but has the figures' shader compiled before the first figure comes. */
-  private readonly herald = figureMesh(this.material, 0, 0);
+  /** Draw nothing, but have the shaders compiled before the first figure and the first ghost come. */
+  private readonly heralds = [this.material, this.matter.veil, this.matter.skin].map((material) =>
+    figureMesh(material, { first: 0, count: 0, resting: false, occluded: false }),
+  );
 
   constructor() {
-    this.scene.add(this.background.mesh, this.ground.mesh, this.herald);
-    this.shared.cones.value = this.cones.texture;
+    const { background, ground, trailView } = this;
+    this.scene.add(background.mesh, ground.mesh, trailView.mesh, ...this.heralds);
+  }
+
+  get figures(): readonly Figure[] {
+    return this.set.figures;
   }
 
   /** The figures of the performers are there, and the place is theirs. */
@@ -58,31 +59,65 @@ export class StageScene {
     return this.figures.length > 0 && !this.outdated;
   }
 
+  /** Every figure has a place in the picture. */
+  get drawable(): boolean {
+    return this.figures.every(({ drawable }) => drawable);
+  }
+
+  get chosenFigure(): Figure | null {
+    return this.figures[this.chosen] ?? null;
+  }
+
   setPalette(palette: Palette): void {
-    this.background.setPalette(palette);
-    this.ground.setPalette(palette);
-    this.material.setPalette(palette);
+    const { background, ground, material, matter, trailView } = this;
+    for (const part of [background, ground, material, matter, trailView]) part.setPalette(palette);
+  }
+
+  setContrast(more: boolean): void {
+    this.matter.setContrast(more);
+  }
+
+  /** Ghosts that darken themselves cost the most: they do only while there is time. */
+  setGhostShade(shade: boolean): void {
+    this.ghosts.occluded = shade;
   }
 
   /** New figures take the place of the old ones with the first frame whose poses are there. */
   setPerformers(performers: readonly StagePerformer[]): void {
     this.performers = performers;
     this.outdated = true;
-    if (performers.length === 0) this.removeFigures();
+    this.place.ghosts = 0;
+    if (performers.length === 0) this.clear();
+  }
+
+  setChosen(chosen: number): void {
+    if (chosen === this.chosen) return;
+    this.chosen = chosen;
+    if (this.ready) this.changeFigure();
+  }
+
+  /** The picture may become narrower again: ghosts count from now on. */
+  forgetReach(): void {
+    this.place.ghosts = 0;
+    this.placeFigures();
+  }
+
+  setGhosts(poses: readonly Float32Array[]): void {
+    this.ghostPoses = poses;
+    if (this.ready) this.placeGhosts();
+  }
+
+  setTrails(trails: StageTrails | null): void {
+    this.trails = trails;
+    if (this.ready) this.placeTrails();
   }
 
   /** Shows a frame; false while poses are missing (the figures then stay as they were). */
   showFrame(frame: number): boolean {
-    const { performers } = this;
-    for (let i = 0; i < performers.length; i++) {
-      if (poseAt(performers[i], frame) === null) return false;
-    }
+    if (!this.set.has(this.performers, frame)) return false;
     if (this.outdated) this.replaceFigures(frame);
-    for (let i = 0; i < this.figures.length; i++) {
-      const pose = poseAt(performers[i], frame);
-      if (pose !== null) this.figures[i].pose.writePose(pose, this.cones, this.figures[i].first);
-    }
-    this.cones.changed();
+    this.set.write(frame);
+    if (this.trails) this.trailView.setNow(trailTime(this.trails.frames, frame));
     this.placeFigures();
     return true;
   }
@@ -96,82 +131,110 @@ export class StageScene {
     this.ground.setCentre(x, z);
   }
 
+  /** To be called before drawing from another place. */
+  setEye(eye: Vector3): void {
+    this.ghosts.sort(eye);
+  }
+
+  /** The figure and its joint that a ray meets first. */
+  pick(ray: Ray): { readonly performer: number; readonly joint: number } | null {
+    let nearest = Infinity;
+    let found: { performer: number; joint: number } | null = null;
+    this.figures.forEach(({ pose, first, count, drawable }, performer) => {
+      const { data } = this.set.cones;
+      const hit = drawable ? pickCone(data, TEXTURE_STRIDE, first, count, ray) : null;
+      if (hit === null || hit.distance >= nearest) return;
+      nearest = hit.distance;
+      found = { performer, joint: jointOfHit(pose.bones[hit.cone], hit.along) };
+    });
+    return found;
+  }
+
   dispose(): void {
-    this.removeFigures();
-    this.herald.geometry.dispose();
-    this.material.dispose();
-    this.cones.dispose();
-    this.ground.dispose();
-    this.background.dispose();
+    this.clear();
+    for (const { geometry } of this.heralds) geometry.dispose();
+    const { material, matter, set, ground, background, trailView } = this;
+    for (const part of [material, matter, set, ground, background, trailView]) part.dispose();
   }
 
   private replaceFigures(frame: number): void {
-    this.removeFigures();
+    this.clear();
     this.outdated = false;
+    this.set.replace(this.performers, frame, MOST_GHOSTS);
     if (this.performers.length === 0) return;
     this.ground.setCell(cellOf(this.performers[0]));
-    const clipFrame = sceneFrameOf(this.performers[0]);
-    const poses = this.performers.map((performer) => firstPose(performer, frame, clipFrame));
-    this.setTexture(poses.reduce((sum, pose) => sum + pose.bones.length, 0));
-    let first = 0;
-    for (const pose of poses) {
-      this.figures.push(this.createFigure(pose, first));
-      first += pose.bones.length;
-    }
+    this.changeFigure();
   }
 
-  private createFigure(pose: FigurePose, first: number): Figure {
-    this.cones.setBones(pose.bones, first);
-    const count = pose.bones.length;
-    const mesh = figureMesh(this.material, first, count);
-    this.scene.add(mesh);
-    return { pose, mesh, first, count, x: 0, z: 0, groundReach: 0 };
+  /** Ghosts and trails are another performer's. */
+  private changeFigure(): void {
+    this.place.ghosts = 0;
+    this.ghosts.setFigure(this.set, this.chosenFigure ?? undefined);
+    this.placeGhosts();
+    this.placeTrails();
   }
 
-  private setTexture(cones: number): void {
-    this.cones.dispose();
-    this.cones = new ConeTexture(cones);
-    this.shared.cones.value = this.cones.texture;
+  private placeGhosts(): void {
+    this.ghostViews = this.ghosts.show(this.ghostPoses, this.set);
+    this.placeFigures();
+  }
+
+  private placeTrails(): void {
+    const { trails, chosenFigure: figure } = this;
+    const paths = trails && figure ? trailPaths(trails, figure.pose) : [];
+    this.trailView.setPaths(paths, figure?.pose.radiusScale ?? 1);
   }
 
   private placeFigures(): void {
-    const { figures, place } = this;
-    const share = 1 / Math.max(1, figures.length);
-    place.x = place.z = place.reach = place.above = place.below = 0;
-    for (const figure of figures) {
-      figure.x = figure.pose.x;
-      figure.z = figure.pose.z;
-      figure.groundReach = figure.pose.groundReach;
-      place.x += figure.pose.middleX * share;
-      place.z += figure.pose.middleZ * share;
+    const { place, shades, figures, chosenFigure } = this;
+    measurePlace(figures, place);
+    shades.length = 0;
+    // The chosen one first: the ground sees it and the nearest to it in full.
+    if (chosenFigure?.drawable) shades.push(chosenFigure);
+    for (let i = 0; i < figures.length; i++) {
+      if (figures[i].drawable && figures[i] !== chosenFigure) shades.push(figures[i]);
     }
-    for (const { pose } of figures) {
-      const away = Math.hypot(pose.middleX - place.x, pose.middleZ - place.z);
-      place.reach = Math.max(place.reach, away + pose.excess);
-      place.above = Math.max(place.above, pose.excessHigh);
-      place.below = Math.max(place.below, pose.excessLow);
+    for (let i = 0; i < this.ghosts.shown.length; i++) {
+      const ghost = this.ghosts.shown[i];
+      shades.push(ghost);
+      // The most so far: the picture does not breathe from keypose to keypose.
+      place.ghosts = Math.max(place.ghosts, Math.hypot(ghost.x - place.x, ghost.z - place.z));
     }
-    this.ground.setFigures(figures);
+    this.ground.setFigures(shades);
   }
 
-  private removeFigures(): void {
-    for (const { mesh } of this.figures) {
-      this.scene.remove(mesh);
-      mesh.geometry.dispose();
-    }
-    this.figures = [];
+  private clear(): void {
+    this.ghosts.clear();
+    this.ghostViews = [];
+    this.set.clear();
+    this.trailView.setPaths([], 1);
     this.ground.setFigures([]);
   }
 }
 
-/** Performers of a clip can be of different lengths: a shorter one stays at its end. */
-function poseAt({ source }: StagePerformer, frame: number): Float32Array | null {
-  return source.read(Math.max(0, Math.min(frame, source.frames - 1)));
-}
+type Place = StageScene['place'];
 
-function firstPose(performer: StagePerformer, frame: number, clipFrame: SceneFrame): FigurePose {
-  const pose = poseAt(performer, frame) ?? new Float32Array(performer.skeleton.parents.length * 3);
-  return new FigurePose(performer, clipFrame, pose);
+/** Of the figures that can be drawn; without any the place stays. */
+function measurePlace(figures: readonly Figure[], place: Place): void {
+  let [count, x, z] = [0, 0, 0];
+  for (let i = 0; i < figures.length; i++) {
+    if (!figures[i].drawable) continue;
+    count++;
+    x += figures[i].pose.middleX;
+    z += figures[i].pose.middleZ;
+  }
+  if (count === 0) return;
+  place.x = x / count;
+  place.z = z / count;
+  place.reach = place.above = place.below = 0;
+  for (let i = 0; i < figures.length; i++) {
+    const { pose, drawable } = figures[i];
+    if (!drawable) continue;
+    const away = Math.hypot(pose.middleX - place.x, pose.middleZ - place.z);
+    place.reach = Math.max(place.reach, away + pose.excess);
+    place.above = Math.max(place.above, pose.excessHigh);
+    place.below = Math.max(place.below, pose.excessLow);
+  }
 }
 
 function cellOf(performer: StagePerformer): number {

@@ -1,6 +1,6 @@
 /** In: an element, performers and their poses, a frame. Out: the figures on their ground, drawn by WebGL2. */
 import './stage.css';
-import { createDrawing, type Drawing } from './drawing';
+import { createDrawing, type Drawing, noMetrics } from './drawing';
 import type { StageMetrics, StageProps } from './stage-props';
 import type { ViewPreset } from './view';
 
@@ -39,10 +39,18 @@ export class Stage {
     this.drawing?.frameView(preset);
   }
 
+  /** Turns the view around the figures by a quarter. */
+  turn(): void {
+    this.drawing?.turn();
+  }
+
+  /** Shows and draws a frame at once, not with the browser's next: for measurements. */
+  drawFrame(frame: number): void {
+    this.drawing?.drawFrame(frame);
+  }
+
   metrics(): StageMetrics {
-    return (
-      this.drawing?.metrics() ?? { drawCalls: 0, triangles: 0, framesDrawn: 0, lastFrameMs: 0 }
-    );
+    return this.drawing?.metrics() ?? noMetrics;
   }
 
   /** The picture as PNG; rejects where nothing can be drawn. */

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { eased, framing, mixViews, presetView, shortestTurn, type View } from './view';
 
-const alone = { x: 0, z: 0, reach: 0, above: 0, below: 0 };
+const alone = { x: 0, z: 0, reach: 0, above: 0, below: 0, ghosts: 0 };
 const yaws = { frontYawRad: 0.4, sideYawRad: 2.1 };
 
 describe('presetView', () => {

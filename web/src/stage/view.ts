@@ -22,6 +22,8 @@ const TOP_ELEVATION_RAD = 1.555;
 const FRAMED_HALF_HEIGHT = 0.67;
 const FRAMED_HALF_WIDTH = 0.6;
 const TARGET_HEIGHT = 0.54;
+/** How much wider the picture may become for the ghosts. */
+const MOST_ROOM = 1.5;
 
 export interface Yaws {
   readonly frontYawRad: number;
@@ -35,6 +37,8 @@ export interface Place {
   readonly reach: number;
   readonly above: number;
   readonly below: number;
+  /** How far the farthest ghost is from their middle. */
+  readonly ghosts: number;
 }
 
 /** What of a view follows the figures: where it looks and from how far away. */
@@ -50,10 +54,14 @@ export function presetView(preset: ViewPreset, yaws: Yaws, aspect: number, place
 }
 
 /** Where a camera looks and how far away it stands, so that all figures are in the picture. */
-export function framing(aspect: number, { x, z, reach, above, below }: Place): Framing {
+export function framing(aspect: number, place: Place): Framing {
+  const { x, z, reach, above, below, ghosts } = place;
+  const shape = Math.max(aspect, 1e-3);
   const halfWidth = FRAMED_HALF_WIDTH + reach;
   const halfHeight = FRAMED_HALF_HEIGHT + (above + below) / 2;
-  const half = Math.max(halfHeight, halfWidth / Math.max(aspect, 1e-3));
+  const alone = Math.max(halfHeight, halfWidth / shape);
+  // Ghosts far away do not make the figure small.
+  const half = Math.max(alone, Math.min((FRAMED_HALF_WIDTH + ghosts) / shape, alone * MOST_ROOM));
   return {
     // The nearest of several figures may stand before the middle.
     distance: half / Math.tan((LENS_DEGREES * Math.PI) / 360) + reach,

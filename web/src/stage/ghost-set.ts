@@ -1,0 +1,66 @@
+/** In: poses of the chosen performer at other moments. Out: its ghosts in the scene. */
+import type { Scene, Vector3 } from 'three';
+import type { Figure, FigureSet } from './figure-set';
+import { type GhostMatter, GhostView } from './ghost-view';
+
+/** At the previous keypose and at the next, and at the moment under the pointer. */
+export const MOST_GHOSTS = 3;
+
+export class GhostSet {
+  private readonly scene: Scene;
+  private readonly matter: GhostMatter;
+  private ghosts: GhostView[] = [];
+  /** Those shown, the farthest from the eye first. */
+  readonly shown: GhostView[] = [];
+
+  constructor(scene: Scene, matter: GhostMatter) {
+    this.scene = scene;
+    this.matter = matter;
+  }
+
+  /** Ghosts of another figure. */
+  setFigure({ cones, spare }: FigureSet, figure: Figure | undefined): void {
+    this.clear();
+    if (figure === undefined) return;
+    const { bones } = figure.pose;
+    this.ghosts = Array.from({ length: MOST_GHOSTS }, (_, i) => {
+      const first = spare + i * bones.length;
+      cones.setBones(bones, first);
+      return new GhostView(this.matter, figure.pose.twin(), first);
+    });
+    for (const ghost of this.ghosts) ghost.addTo(this.scene);
+  }
+
+  /** One ghost a pose; which of them are shown, in the same order. */
+  show(poses: readonly Float32Array[], { cones }: FigureSet): (GhostView | null)[] {
+    this.shown.length = 0;
+    const views = this.ghosts.map((ghost, i) => {
+      const pose = poses[i] as Float32Array | undefined;
+      const fits = pose?.length === ghost.pose.joints.length;
+      ghost.visible = fits && ghost.pose.writePose(pose, cones, ghost.first);
+      if (!ghost.visible) return null;
+      ghost.place();
+      this.shown.push(ghost);
+      return ghost;
+    });
+    cones.changed();
+    return views;
+  }
+
+  set occluded(occluded: boolean) {
+    for (const ghost of this.ghosts) ghost.occluded = occluded;
+  }
+
+  /** The farthest is drawn first. */
+  sort(eye: Vector3): void {
+    const far = ({ x, z }: GhostView): number => Math.hypot(x - eye.x, z - eye.z);
+    this.shown.sort((a, b) => far(b) - far(a));
+    for (let i = 0; i < this.shown.length; i++) this.shown[i].order = i;
+  }
+
+  clear(): void {
+    for (const ghost of this.ghosts) ghost.removeFrom(this.scene);
+    this.ghosts = [];
+    this.shown.length = 0;
+  }
+}
