@@ -2,6 +2,7 @@
 import './styles/index.css';
 import { createActions } from './app/actions';
 import type { Context } from './app/context';
+import { createFullScreen } from './app/full-screen';
 import { createHistory } from './app/history';
 import { createLanguage } from './app/language';
 import { createPanels } from './app/panels';
@@ -36,6 +37,7 @@ function createContext(): Context {
     language,
     theme: createTheme(preferences, matchMedia('(prefers-color-scheme: dark)')),
     panels: createPanels(preferences, (query) => matchMedia(query)),
+    fullScreen: createFullScreen(document),
     preferences,
     picker: createPicker(document.body, (given) => actions.take(given)),
   };

@@ -2,6 +2,7 @@
 import type { Engine } from '../engine/types';
 import type { Playback } from '../player/playback';
 import type { Actions } from './actions';
+import type { FullScreen } from './full-screen';
 import type { History } from './history';
 import type { LanguageState } from './language';
 import type { Panels } from './panels';
@@ -18,6 +19,7 @@ export interface Context {
   readonly language: LanguageState;
   readonly theme: ThemeState;
   readonly panels: Panels;
+  readonly fullScreen: FullScreen;
   readonly preferences: Preferences;
   /** The browser's own dialogs. */
   readonly picker: { files(): void; folder(): void };

@@ -7,6 +7,8 @@ export interface MenuItem {
   readonly icon?: IconName;
   /** Given for items of which one or some are chosen. */
   readonly checked?: boolean;
+  /** Several can be chosen: the menu stays open. */
+  readonly several?: boolean;
   /** A line stands above it. */
   readonly apart?: boolean;
   readonly onChoose: () => void;
@@ -64,14 +66,15 @@ function onKey(event: KeyboardEvent): void {
 
 function menuItem(item: MenuItem): TemplateResult {
   const choose = (event: Event): void => {
-    (event.currentTarget as HTMLElement).closest<HTMLElement>('[popover]')?.hidePopover();
+    const button = event.currentTarget as HTMLElement;
+    if (!item.several) button.closest<HTMLElement>('[popover]')?.hidePopover();
     item.onChoose();
   };
   const checkable = item.checked !== undefined;
   return html`<button
     type="button"
     class="menu-item ${item.apart ? 'apart' : ''}"
-    role=${checkable ? 'menuitemradio' : 'menuitem'}
+    role=${checkable ? (item.several ? 'menuitemcheckbox' : 'menuitemradio') : 'menuitem'}
     aria-checked=${checkable ? String(item.checked) : nothing}
     @click=${choose}
   >

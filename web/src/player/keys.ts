@@ -21,6 +21,7 @@ export type KeyCommand =
   | 'zoom-in'
   | 'zoom-out'
   | 'zoom-all'
+  | 'full-screen'
   | 'help'
   | 'filter'
   | 'undo'
@@ -52,6 +53,7 @@ const plainKeys: Readonly<Record<string, KeyCommand>> = {
   ']': 'loop-end',
   z: 'zoom-in',
   '0': 'zoom-all',
+  f: 'full-screen',
   '?': 'help',
   '/': 'filter',
 };

@@ -28,6 +28,9 @@ const commands: Readonly<Record<KeyCommand, Run>> = {
   'zoom-in': ({ store }) => zoom(store, 'in'),
   'zoom-out': ({ store }) => zoom(store, 'out'),
   'zoom-all': ({ store }) => zoom(store, 'all'),
+  'full-screen': ({ fullScreen, store }) => {
+    if (store.present.peek().length > 0) fullScreen.toggle();
+  },
   help: ({ store }) => {
     store.helpOpen.value = true;
   },

@@ -4,7 +4,7 @@ import type { MessageKey, Words } from '../app/i18n/catalogue';
 import { iconButton } from '../common/buttons';
 
 type KeySign = '←' | '→' | '↑' | '↓' | '-' | '+' | '[' | ']' | '/' | '?';
-type KeyName = MessageKey | KeySign | 'K' | 'L' | 'Z' | '0';
+type KeyName = MessageKey | KeySign | 'F' | 'K' | 'L' | 'Z' | '0';
 /** Keys pressed together; alternatives stand side by side. */
 type KeyLine = readonly [MessageKey, ...(readonly KeyName[])[]];
 
@@ -31,6 +31,7 @@ const timelineKeys: readonly KeyLine[] = [
 const pageKeys: readonly KeyLine[] = [
   ['help.clips', ['↑'], ['↓']],
   ['help.remove', ['key.delete']],
+  ['help.full-screen', ['F']],
   ['help.filter', ['/']],
   ['help.undo', ['key.ctrl', 'Z']],
   ['help.redo', ['key.ctrl', 'key.shift', 'Z']],

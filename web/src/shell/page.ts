@@ -177,6 +177,9 @@ function showWhatIsDue(places: Places, context: Context): void {
     document.documentElement.dataset['page'] = hasClips ? 'study' : 'empty';
   });
   follow(() => {
+    document.documentElement.toggleAttribute('data-full-screen', context.fullScreen.active.value);
+  });
+  follow(() => {
     for (const name of ['library', 'inspector'] as const) {
       const due = name === 'library' || hasDetails(context);
       places[name].hidden = !due || !panels[name].open.value;

@@ -153,7 +153,10 @@ export class Drawing {
       triangles: info.render.triangles,
       framesDrawn,
       lastFrameMs,
-      uniformVectors: uniformVectors(this.renderer.getContext() as WebGL2RenderingContext, programs),
+      uniformVectors: uniformVectors(
+        this.renderer.getContext() as WebGL2RenderingContext,
+        programs,
+      ),
       reduced: this.quality.reduced,
     };
   }

@@ -5,7 +5,12 @@ import type { PerformerResult } from '../engine/types';
 import { type FigurePerformer, type SceneFrame, sceneFrameOf } from '../figure/up-frame';
 import { ConeTexture } from './cone-texture';
 import { FigurePose } from './figure-pose';
-import { type FigureLook, figureMesh, type FigureMaterial, type SharedUniforms } from './figure-view';
+import {
+  type FigureLook,
+  figureMesh,
+  type FigureMaterial,
+  type SharedUniforms,
+} from './figure-view';
 import type { GroundFigure } from './ground-view';
 
 /** One performer of the clip on the stage. */
@@ -72,7 +77,7 @@ export class FigureSet {
     return true;
   }
 
-  write(frame: number): void {
+  showFrame(frame: number): void {
     for (let i = 0; i < this.figures.length; i++) {
       const figure = this.figures[i];
       const pose = poseAt(this.performers[i], frame);

@@ -1,5 +1,12 @@
 /** In: a range of cones in the cone texture. Out: a figure, drawn in one instanced call. */
-import { Color, GLSL3, type IUniform, Mesh, ShaderMaterial, type ShaderMaterialParameters } from 'three';
+import {
+  Color,
+  GLSL3,
+  type IUniform,
+  Mesh,
+  ShaderMaterial,
+  type ShaderMaterialParameters,
+} from 'three';
 import { coneGeometry } from './cone-geometry';
 import type { Palette } from './palette';
 import { figureFragment, figureVertex } from './shaders';

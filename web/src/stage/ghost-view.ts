@@ -21,7 +21,11 @@ export class GhostMatter {
   constructor(shared: SharedUniforms) {
     // "transparent" puts both among what is drawn last.
     const last = { transparent: true };
-    this.veil = new FigureMaterial(shared, { ...last, fragmentShader: depthFragment, colorWrite: false });
+    this.veil = new FigureMaterial(shared, {
+      ...last,
+      fragmentShader: depthFragment,
+      colorWrite: false,
+    });
     this.skin = new FigureMaterial(shared, { ...last, depthWrite: false });
     this.setContrast(false);
   }

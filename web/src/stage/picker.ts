@@ -41,7 +41,8 @@ export class Picker {
   }
 
   private readonly onDown = (event: PointerEvent): void => {
-    this.down = event.isPrimary && event.button === 0 ? { x: event.clientX, y: event.clientY } : null;
+    this.down =
+      event.isPrimary && event.button === 0 ? { x: event.clientX, y: event.clientY } : null;
     this.hover(null, event);
   };
 

@@ -18,13 +18,14 @@ describe('Quality', () => {
     expect(quality.reduced).toBe(true);
   });
 
-  it('steps up after a long quick run, and in the end stays down', () => {
+  it('steps up after a long quick run, a longer one after every step down', () => {
     const quality = new Quality();
     expect(run(quality, 40, 30)).toBe(1);
     expect(run(quality, 16, 300)).toBe(1);
     expect(quality.reduced).toBe(false);
     expect(run(quality, 40, 30)).toBe(1);
-    expect(run(quality, 16, 3000)).toBe(0);
-    expect(quality.reduced).toBe(true);
+    expect(run(quality, 16, 700)).toBe(0);
+    expect(run(quality, 16, 100)).toBe(1);
+    expect(quality.reduced).toBe(false);
   });
 });

@@ -1,8 +1,10 @@
-import { InstancedBufferGeometry, type Mesh } from 'three';
+import { InstancedBufferGeometry, type Mesh, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { PoseSource } from '../engine/pose-source';
 import { animal, human, standingPose } from '../figure/test-bodies';
-import { type StagePerformer, StageScene } from './stage-scene';
+import type { StagePerformer } from './figure-set';
+import type { Ray } from './pick';
+import { StageScene } from './stage-scene';
 
 function sourceOf(frames: readonly (Float32Array | null)[]): PoseSource {
   return {
@@ -20,15 +22,23 @@ function performerOf(
   change: Partial<StagePerformer> = {},
 ): StagePerformer {
   const yaws = { sideYawRad: 0, frontYawRad: 0 };
-  return { ...human, unit: null, ...yaws, source: sourceOf(frames), ...change };
+  return {
+    ...human,
+    unit: null,
+    leadingRestFrames: 0,
+    ...yaws,
+    source: sourceOf(frames),
+    ...change,
+  };
 }
 
 const moved = (x: number, z: number): Float32Array =>
   standingPose.map((value, i) => value + [x, 0, z][i % 3]);
 
-/** Instances of the figures in the scene; background, ground and herald have none. */
+/** Instances of what is seen of figures in the scene; background, ground and heralds have none. */
 function instances(stage: StageScene): number[] {
   return stage.scene.children
+    .filter(({ visible }) => visible)
     .map((child) => (child as Mesh).geometry)
     .filter((geometry) => geometry instanceof InstancedBufferGeometry)
     .map((geometry) => geometry.instanceCount)
@@ -70,6 +80,83 @@ describe('StageScene', () => {
     expect(stage.place.x).toBeCloseTo(1, 6);
     expect(stage.place.z).toBeCloseTo(1, 6);
     expect(stage.place.reach).toBeCloseTo(1, 6);
+  });
+
+  it('draws a ghost for each pose of another moment, in two calls, until there are other poses', () => {
+    const stage = new StageScene();
+    stage.setPerformers([performerOf([standingPose])]);
+    stage.setGhosts([moved(2, 0), moved(-3, 0)]);
+    stage.showFrame(0);
+    expect(instances(stage)).toEqual([22, 22, 22, 22, 22]);
+    expect(stage.ghostViews.map((ghost) => ghost?.x)).toEqual([1, -1.5, undefined]);
+    expect(stage.place.ghosts).toBeCloseTo(1.5, 6);
+    stage.setGhosts([moved(1, 0)]);
+    expect(instances(stage)).toEqual([22, 22, 22]);
+    stage.setGhosts([]);
+    expect(instances(stage)).toEqual([22]);
+  });
+
+  it('draws the farther ghost before the nearer one', () => {
+    const stage = new StageScene();
+    stage.setPerformers([performerOf([standingPose])]);
+    stage.setGhosts([moved(0, 4), moved(0, -4)]);
+    stage.showFrame(0);
+    const orders = (): number[] =>
+      stage.scene.children.map(({ renderOrder }) => renderOrder).filter((order) => order > 1);
+    stage.setEye(new Vector3(0, 1, 9));
+    const fromFront = orders();
+    stage.setEye(new Vector3(0, 1, -9));
+    expect(orders()).not.toEqual(fromFront);
+    expect(new Set(orders().slice(0, 4))).toEqual(new Set([2, 3, 4, 5]));
+  });
+
+  it('has ghosts of the chosen performer, and none of a pose that is not its', () => {
+    const stage = new StageScene();
+    stage.setPerformers([performerOf([standingPose]), performerOf([moved(4, 0)])]);
+    stage.setGhosts([moved(8, 0)]);
+    stage.setChosen(1);
+    stage.showFrame(0);
+    expect(stage.chosenFigure?.x).toBeCloseTo(2, 6);
+    expect(stage.ghostViews[0]?.x).toBeCloseTo(4, 6);
+    stage.setGhosts([new Float32Array(6)]);
+    expect(stage.ghostViews[0]).toBeNull();
+  });
+
+  it('hides a figure without a place, says so, and stays where it was', () => {
+    const stage = new StageScene();
+    const lost = standingPose.slice();
+    lost[4] = NaN;
+    const far = standingPose.map((value) => value * 1e30);
+    stage.setPerformers([performerOf([moved(2, 0), lost, far, standingPose])]);
+    stage.showFrame(0);
+    for (const frame of [1, 2]) {
+      expect(stage.showFrame(frame)).toBe(true);
+      expect([stage.drawable, instances(stage)]).toEqual([false, []]);
+      expect(stage.place.x).toBeCloseTo(1, 6);
+    }
+    stage.showFrame(3);
+    expect([stage.drawable, instances(stage)]).toEqual([true, [22]]);
+  });
+
+  it('greys a figure in its leading rest frames', () => {
+    const stage = new StageScene();
+    stage.setPerformers([performerOf([standingPose, standingPose], { leadingRestFrames: 1 })]);
+    stage.showFrame(0);
+    expect(stage.figures[0].resting).toBe(true);
+    stage.showFrame(1);
+    expect(stage.figures[0].resting).toBe(false);
+  });
+
+  it('finds the joint that a ray meets, on the nearest figure', () => {
+    const stage = new StageScene();
+    stage.setPerformers([performerOf([standingPose]), performerOf([moved(0, 4)])]);
+    stage.showFrame(0);
+    const wrist = 8;
+    const toward: Ray = { origin: [0.44, 0.775, 9], direction: [0, 0, -1] };
+    expect(stage.pick(toward)).toEqual({ performer: 1, joint: wrist });
+    const behind: Ray = { origin: [0.44, 0.775, -9], direction: [0, 0, 1] };
+    expect(stage.pick(behind)).toEqual({ performer: 0, joint: wrist });
+    expect(stage.pick({ ...toward, origin: [0.44, 0.9, 9] })).toBeNull();
   });
 
   it('lets a shorter performer stay at its last frame', () => {

@@ -116,7 +116,7 @@ export class StageScene {
   showFrame(frame: number): boolean {
     if (!this.set.has(this.performers, frame)) return false;
     if (this.outdated) this.replaceFigures(frame);
-    this.set.write(frame);
+    this.set.showFrame(frame);
     if (this.trails) this.trailView.setNow(trailTime(this.trails.frames, frame));
     this.placeFigures();
     return true;

@@ -69,7 +69,11 @@ function writeTube(
 ): void {
   let across: Vector = [0, 0, 0];
   kept.forEach((point, i) => {
-    const along = direction(points, kept[Math.max(0, i - 1)], kept[Math.min(kept.length - 1, i + 1)]);
+    const along = direction(
+      points,
+      kept[Math.max(0, i - 1)],
+      kept[Math.min(kept.length - 1, i + 1)],
+    );
     across = squareTo(across, along);
     const other = cross(along, across);
     for (let corner = 0; corner < TUBE_CORNERS; corner++) {
@@ -131,9 +135,5 @@ function dot(a: Vector, b: Vector): number {
 }
 
 function cross(a: Vector, b: Vector): Vector {
-  return [
-    a[1] * b[2] - a[2] * b[1],
-    a[2] * b[0] - a[0] * b[2],
-    a[0] * b[1] - a[1] * b[0],
-  ];
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 }

@@ -4,7 +4,10 @@ import type { StageTrails } from './stage-props';
 import type { TrailPath } from './trail-geometry';
 import { SIDE_NUMBER } from './cone-texture';
 
-export function trailPaths({ joints, frames, poses }: StageTrails, figure: FigurePose): TrailPath[] {
+export function trailPaths(
+  { joints, frames, poses }: StageTrails,
+  figure: FigurePose,
+): TrailPath[] {
   const width = figure.joints.length;
   if (frames.length < 2 || poses.length !== frames.length * width) return [];
   const times = Float32Array.from(frames, (frame) => trailTime(frames, frame));

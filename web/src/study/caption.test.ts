@@ -8,6 +8,8 @@ const moment = (fields: Partial<Moment>): Moment => ({
   keyposes: Int32Array.of(100, 338),
   current: 1,
   leadingRestFrames: 0,
+  posture: '',
+  performer: null,
   ...fields,
 });
 const words = wordsFor('en');
@@ -16,6 +18,7 @@ test('at a keypose it is named and spoken', () => {
   const caption = captionOf(words, moment({}));
   expect(caption).toEqual({
     title: 'Keypose 2 of 2',
+    posture: '',
     remark: '',
     spoken: 'Keypose 2 of 2, 2.82 seconds',
   });
@@ -34,4 +37,19 @@ test('a leading rest pose is told', () => {
 
 test('without keyposes it says so', () => {
   expect(captionOf(words, moment({ current: null })).title).toBe('No keyposes');
+});
+
+test('what it looks like is shown and spoken, with how far it is away', () => {
+  const { posture, remark, spoken } = captionOf(
+    words,
+    moment({ frame: 345, posture: 'both legs high' }),
+  );
+  expect([posture, remark]).toEqual(['both legs high', '0.06 s past it']);
+  expect(spoken).toBe('Keypose 2 of 2, 2.82 seconds, both legs high, 0.06 seconds past it');
+});
+
+test('of several performers the one is named', () => {
+  const { title, spoken } = captionOf(words, moment({ performer: 'B' }));
+  expect(title).toBe('B · Keypose 2 of 2');
+  expect(spoken).toBe('Performer B, Keypose 2 of 2, 2.82 seconds');
 });

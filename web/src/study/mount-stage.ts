@@ -1,12 +1,20 @@
 /** The stage on the page: the open clip's performers on it, the words over it, the caption spoken when at rest. */
 import { computed, effect, signal, type ReadonlySignal } from '@preact/signals-core';
 import type { Context } from '../app/context';
-import type { Store, ViewPreset } from '../app/store';
+import type { Store } from '../app/store';
 import { follow, mount } from '../common/mount';
 import { createPoseSource } from '../engine/pose-source';
-import type { Stage, StageFailure, StagePerformer } from '../stage';
+import { performerLetter } from '../figure/performer-letter';
+import type { Stage, StageHit, StagePerformer, StageProps } from '../stage';
 import { captionOf, type Caption } from './caption';
+import { jointName, offeredJoints } from './joint-names';
+import { showJointTip } from './joint-tip';
+import { loadStage, type LoadedStage } from './load-stage';
+import { showGhosts, showTrails } from './stage-moments';
 import { stageOverlay, type StageOverlayProps } from './stage-overlay';
+import { stageSentence, unreadable } from './stage-words';
+import { createTrailChoice, type TrailChoice } from './trail-choice';
+import { watchCorners } from './watch-corners';
 
 export interface StagePlaces {
   readonly stage: HTMLElement;
@@ -21,18 +29,76 @@ export interface StageSettings {
   readonly reducedMotion: boolean;
 }
 
-type Trouble = StageFailure | 'off' | null;
+type StageSignal = ReadonlySignal<Stage | null>;
 
-function createCaption({ store, language }: Context) {
+export function mountStage(places: StagePlaces, context: Context, settings: StageSettings): void {
+  const { store } = context;
+  const caption = createCaption(context);
+  const choice = createTrailChoice(store);
+  const hovered = signal<StageHit | null>(null);
+  const loaded = loadStage(places.figure, store, {
+    ...firstProps(context, settings),
+    onHover: (hit) => {
+      hovered.value = hit;
+    },
+    onPick: ({ performer, joint }) => {
+      if (performer === store.performer.peek()) choice.toggle(joint);
+      else context.actions.choosePerformer(performer);
+    },
+  });
+  const { stage, trouble } = loaded;
+  effect(() => {
+    const drawn = trouble.value === null ? stage.value : null;
+    store.picture.value = drawn && (() => drawn.snapshot());
+  });
+  showScene(stage, context);
+  showLook(places.stage, stage, context);
+  showGhosts(stage, context);
+  showTrails(stage, context, choice);
+  showJointTip(places.stage, hovered, context);
+  mount(places.overlay, () => stageOverlay(overlayProps(context, caption.value, loaded, choice)));
+  watchCorners(places.overlay, (corners) => stage.peek()?.update({ corners }));
+  speak(places.spoken, store, caption);
+}
+
+function firstProps(
+  { store, theme, language, actions }: Context,
+  settings: StageSettings,
+): StageProps {
+  return {
+    performers: [],
+    chosen: 0,
+    ghosts: [],
+    currentTag: null,
+    trails: null,
+    theme: theme.theme.peek(),
+    view: store.view.peek(),
+    follow: store.follow.peek(),
+    ...settings,
+    moreContrast: false,
+    corners: { left: 0, right: 0 },
+    performerName: (performer) =>
+      language.words.peek().t('recording.performer.number', performerLetter(performer)),
+    onViewChange: (view) => {
+      store.view.value = view;
+    },
+    onChoose: (performer) => actions.choosePerformer(performer),
+  };
+}
+
+function createCaption({ store, language }: Context): ReadonlySignal<Caption | null> {
   return computed((): Caption | null => {
     const result = store.openClip.value?.result;
     if (!result) return null;
+    const several = result.performers.length > 1;
     return captionOf(language.words.value, {
       frame: store.playback.value.frame,
       frameTimeS: result.frameTimeS,
       keyposes: store.keyposeFrames.value,
       current: store.currentKeypose.value,
       leadingRestFrames: store.openPerformer.value?.leadingRestFrames ?? 0,
+      posture: '',
+      performer: several ? performerLetter(store.performer.value) : null,
     });
   });
 }
@@ -51,134 +117,7 @@ function performersOf({ engine, store }: Context): StagePerformer[] {
   }));
 }
 
-function sentence({ store, language }: Context, trouble: Trouble): string {
-  const { t } = language.words.value;
-  const clip = store.openClip.value;
-  if (!clip) return store.loading.value ? '' : t('stage.choose');
-  if (clip.status === 'failed') return '';
-  if (!clip.result) return t('stage.loading', clip.source.name);
-  if (trouble === 'off') return t('stage.off');
-  if (trouble === 'no-webgl2') return t('stage.unavailable');
-  return trouble === 'context-lost' ? t('stage.lost') : '';
-}
-
-function failure({ store, language }: Context) {
-  const clip = store.openClip.value;
-  if (clip?.status !== 'failed' || !clip.failure) return null;
-  const { t } = language.words.value;
-  const { line, column } = clip.failure;
-  const place =
-    line === null
-      ? ''
-      : column === null
-        ? t('notes.line', String(line))
-        : t('notes.place', String(line), String(column));
-  return { name: clip.source.name, place, reason: language.words.value.failure(clip.failure) };
-}
-
-/** three.js outweighs all the rest: it comes with the first motions, not with the first screen. */
-async function createStage(
-  place: HTMLElement,
-  { store, theme }: Context,
-  settings: StageSettings,
-  onTrouble: (trouble: Trouble) => void,
-): Promise<Stage> {
-  const { Stage } = await import('../stage');
-  return new Stage(place, {
-    performers: [],
-    theme: theme.theme.peek(),
-    view: store.view.peek(),
-    follow: store.follow.peek(),
-    reducedMotion: settings.reducedMotion,
-    off: settings.off,
-    onViewChange: (view) => {
-      store.view.value = view;
-    },
-    onFailure: onTrouble,
-    onRecovery: () => onTrouble(null),
-  });
-}
-
-/** Calls `act` once, as soon as motions are here or on their way. */
-function atFirstMotion({ store }: Context, act: () => void): void {
-  let acted = false;
-  effect(() => {
-    const isDue = store.dropping.value || store.loading.value || store.present.value.length > 0;
-    if (acted || !isDue) return;
-    acted = true;
-    act();
-  });
-}
-
-export function mountStage(places: StagePlaces, context: Context, settings: StageSettings): void {
-  const { store } = context;
-  const trouble = signal<Trouble>(settings.off ? 'off' : null);
-  const stage = signal<Stage | null>(null);
-  const caption = createCaption(context);
-  const onTrouble = (next: Trouble): void => {
-    trouble.value = next;
-  };
-  atFirstMotion(context, () => {
-    createStage(places.figure, context, settings, onTrouble).then(
-      (created) => {
-        stage.value = created;
-      },
-      () => onTrouble('no-webgl2'),
-    );
-  });
-  effect(() => {
-    const drawn = trouble.value === null ? stage.value : null;
-    store.picture.value = drawn && (() => drawn.snapshot());
-  });
-  showScene(stage, context);
-  showLook(places.stage, stage, context);
-  const onView = (view: ViewPreset): void => {
-    store.view.value = view;
-    stage.peek()?.frameView(view);
-  };
-  mount(places.overlay, () =>
-    stageOverlay(overlayProps(context, caption.value, trouble.value, onView)),
-  );
-  speak(places.spoken, store, caption);
-}
-
-function showLook(
-  place: HTMLElement,
-  stage: ReadonlySignal<Stage | null>,
-  { store, language, theme }: Context,
-): void {
-  follow(() => {
-    const label = language.words.value.t('stage.label');
-    const look = { theme: theme.theme.value, view: store.view.value, follow: store.follow.value };
-    place.setAttribute('aria-label', label);
-    stage.value?.update({ ...look, label });
-  });
-}
-
-function overlayProps(
-  context: Context,
-  caption: Caption | null,
-  trouble: Trouble,
-  onView: (view: ViewPreset) => void,
-): StageOverlayProps {
-  const { store, language } = context;
-  return {
-    words: language.words.value,
-    caption,
-    metric: (store.openPerformer.value?.unit ?? null) !== null,
-    drawing: trouble === null,
-    sentence: sentence(context, trouble),
-    failure: failure(context),
-    view: store.view.value,
-    follow: store.follow.value,
-    onView,
-    onFollow: () => {
-      store.follow.value = !store.follow.peek();
-    },
-  };
-}
-
-function showScene(stage: ReadonlySignal<Stage | null>, context: Context): void {
+function showScene(stage: StageSignal, context: Context): void {
   const { store } = context;
   // The same result means the same figures, whatever else has changed about the clip.
   const result = computed(() => store.openClip.value?.result ?? null);
@@ -190,6 +129,71 @@ function showScene(stage: ReadonlySignal<Stage | null>, context: Context): void 
     stage.value?.show(store.playback.peek().frame);
   });
   follow(() => stage.value?.show(store.playback.value.frame));
+  follow(() => stage.value?.update({ chosen: store.performer.value }));
+}
+
+function showLook(
+  place: HTMLElement,
+  stage: StageSignal,
+  { store, language, theme }: Context,
+): void {
+  const contrast = matchMedia('(prefers-contrast: more)');
+  const moreContrast = signal(contrast.matches);
+  contrast.addEventListener('change', () => {
+    moreContrast.value = contrast.matches;
+  });
+  follow(() => {
+    const label = language.words.value.t('stage.label');
+    place.setAttribute('aria-label', label);
+    stage.value?.update({
+      label,
+      theme: theme.theme.value,
+      view: store.view.value,
+      follow: store.follow.value,
+      moreContrast: moreContrast.value,
+    });
+  });
+}
+
+function overlayProps(
+  context: Context,
+  caption: Caption | null,
+  { stage, trouble, loadAgain }: LoadedStage,
+  choice: TrailChoice,
+): StageOverlayProps {
+  const { store, language, fullScreen } = context;
+  const words = language.words.value;
+  const performer = store.openPerformer.value;
+  const joints = performer ? offeredJoints(performer, choice.joints.value) : [];
+  return {
+    words,
+    caption,
+    metric: (performer?.unit ?? null) !== null,
+    drawing: trouble.value === null || trouble.value === 'too-large',
+    sentence: stageSentence(context, trouble.value),
+    onLoadAgain: trouble.value === 'not-loaded' ? loadAgain : null,
+    failure: unreadable(context),
+    view: store.view.value,
+    shown: { follow: store.follow.value, ghosts: store.ghosts.value, trails: store.trails.value },
+    trailJoints: joints.map((joint) => ({
+      joint,
+      name: performer ? jointName(words, performer, joint) : '',
+      drawn: choice.joints.value.includes(joint),
+    })),
+    trailsAsFound: choice.asFound.value,
+    fullScreen: fullScreen.active.value,
+    onView: (view) => {
+      store.view.value = view;
+      stage.peek()?.frameView(view);
+    },
+    onTurn: () => stage.peek()?.turn(),
+    onShow: (what) => {
+      store[what].value = !store[what].peek();
+    },
+    onTrailJoint: choice.toggle,
+    onTrailReset: choice.reset,
+    onFullScreen: fullScreen.toggle,
+  };
 }
 
 /** A caption is spoken when the time stands still; while it runs, it would never come to its end. */

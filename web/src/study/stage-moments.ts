@@ -4,7 +4,7 @@ import type { Context } from '../app/context';
 import type { Stage, StageGhost, StageTrails } from '../stage';
 import { follow } from '../common/mount';
 import { ghostMoments, trailFrames } from './moments';
-import { createPoseShelf, type PoseShelf } from './pose-shelf';
+import { PoseShelf } from './pose-shelf';
 import type { TrailChoice } from './trail-choice';
 
 type StageSignal = ReadonlySignal<Stage | null>;
@@ -15,15 +15,12 @@ const ahead = 3;
 const noGhosts: readonly StageGhost[] = [];
 
 /** Calls `use` with a shelf of its own for every performer that is opened or analysed anew. */
-function withShelf(
-  { engine, store }: Context,
-  use: (shelf: PoseShelf) => () => void,
-): void {
+function withShelf({ engine, store }: Context, use: (shelf: PoseShelf) => () => void): void {
   effect(() => {
     const id = store.openId.value;
     const performer = store.performer.value;
     if (!store.openPerformer.value || id === null) return;
-    const shelf = createPoseShelf(engine, id, performer);
+    const shelf = new PoseShelf(engine, id, performer);
     const end = use(shelf);
     return () => {
       end();

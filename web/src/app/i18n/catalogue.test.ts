@@ -37,6 +37,7 @@ const sameInBoth = [
   /^unit\.(seconds|hertz|s|m|dm|cm|mm|cmu)$/,
   /^key\./,
   /^top\.(place|bar)$/,
+  /^caption\.performer$/,
   /^transport\.(last|times|ab|range)$/,
 ];
 
