@@ -12,13 +12,27 @@ export interface StripLayout {
   readonly cardWidth: number;
 }
 
-const SMALLEST_CARD = 48;
+export interface StripRoom {
+  /** The keyposes that may be shown: from `first` up to, not including, `end`. */
+  readonly first: number;
+  readonly end: number;
+  /** One of them that must be shown, whatever its intensity; null: none. */
+  readonly kept: number | null;
+  /** The width of the strip in pixels. */
+  readonly width: number;
+  /** The least width of a card in pixels: 48, or what its text needs. */
+  readonly leastCard: number;
+}
+
+export const SMALLEST_CARD = 48;
 const WIDEST_CARD = 63;
 const MARGIN = 2;
 /** Widths in a card's line of text, in pixels: a digit, a decimal point, the gap after the number. */
-const DIGIT = 6.8;
+const DIGIT = 6.9;
 const POINT = 3.5;
 const LABEL_GAP = 5;
+const LABEL_MARGIN = 4;
+const MOST_DIGITS = 2;
 /** Pixels of one body height where the figures are neither taller nor wider than their room. */
 const USUAL_SCALE = 55;
 /** The figures' room upward in pixels, and across in widths of a card: arms may reach over a little. */
@@ -34,12 +48,14 @@ const ROOM_ACROSS = 1.15;
 export function layoutStrip(
   pinX: ArrayLike<number>,
   intensities: ArrayLike<number>,
-  width: number,
+  { first, end, kept, width, leastCard }: StripRoom,
 ): StripLayout {
-  const room = Math.floor((width - 2 * MARGIN) / SMALLEST_CARD);
-  const shown = mostIntense(intensities, Math.max(0, room));
-  if (shown.length === 0) return { cards: [], cardWidth: SMALLEST_CARD };
-  const cardWidth = Math.min(WIDEST_CARD, Math.floor((width - 2 * MARGIN) / shown.length));
+  const room = Math.max(0, Math.floor((width - 2 * MARGIN) / leastCard));
+  const visible = Array.from({ length: Math.max(0, end - first) }, (_, index) => first + index);
+  const shown = mostIntense(visible, intensities, room, kept);
+  if (shown.length === 0) return { cards: [], cardWidth: leastCard };
+  const widest = Math.max(WIDEST_CARD, leastCard);
+  const cardWidth = Math.min(widest, Math.floor((width - 2 * MARGIN) / shown.length));
   const low = cardWidth / 2 + MARGIN;
   const xs = spread(
     shown.map((keypose) => pinX[keypose]),
@@ -50,11 +66,16 @@ export function layoutStrip(
   return { cards: shown.map((keypose, index) => ({ keypose, x: xs[index] })), cardWidth };
 }
 
+/** Width of a card's line of text with whole seconds, margins included. */
+export function leastLabelWidth(number: number, timeS: number): number {
+  const digits = String(number).length + String(Math.floor(timeS)).length;
+  return Math.ceil(LABEL_MARGIN + LABEL_GAP + digits * DIGIT);
+}
+
 /** Decimals of the seconds beside a keypose's number: at most 2, as many as a card has room for. */
 export function labelDigits(number: number, timeS: number, cardWidth: number): number {
-  const whole = String(number).length + String(Math.floor(timeS)).length;
-  const room = cardWidth - 2 - LABEL_GAP - whole * DIGIT - POINT;
-  return Math.max(0, Math.min(2, Math.floor(room / DIGIT)));
+  const room = cardWidth - leastLabelWidth(number, timeS) - POINT;
+  return Math.max(0, Math.min(MOST_DIGITS, Math.floor(room / DIGIT)));
 }
 
 /** Pixels of one body height, the same for all figures of a strip, so that a leap is seen as one. */
@@ -69,9 +90,16 @@ export function stripScale(
   }, USUAL_SCALE);
 }
 
-function mostIntense(intensities: ArrayLike<number>, count: number): number[] {
-  return Array.from({ length: intensities.length }, (_, index) => index)
-    .sort((a, b) => intensities[b] - intensities[a] || a - b)
+function mostIntense(
+  keyposes: readonly number[],
+  intensities: ArrayLike<number>,
+  count: number,
+  kept: number | null,
+): number[] {
+  if (keyposes.length <= count) return [...keyposes];
+  const rank = (keypose: number): number => (keypose === kept ? Infinity : intensities[keypose]);
+  return [...keyposes]
+    .sort((a, b) => rank(b) - rank(a) || a - b)
     .slice(0, count)
     .sort((a, b) => a - b);
 }

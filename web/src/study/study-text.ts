@@ -47,7 +47,8 @@ export function stripText(words: Words): StripText {
     keyposes: t('strip.label'),
     none: t('caption.none'),
     count: (value) => format.integer(value),
-    seconds: (timeS, digits) => format.decimal(timeS, digits),
+    number: (value) => String(value),
+    seconds: (timeS, digits) => timeS.toFixed(digits),
     shown: (shown, all) => t('strip.shown', format.integer(shown), format.integer(all)),
     keypose: keyposeText(words),
   };
