@@ -5,6 +5,7 @@ use motion::analysis::{Analysis, KeyposeAnalysis, PerformerAnalysis};
 use motion::body::{BodyJoint, Role};
 use motion::clip::Clip;
 use motion::note::Note;
+use motion::posture::PostureWord;
 use motion::report::json::Json;
 use motion::report::{reason_name, source_name};
 
@@ -109,7 +110,15 @@ fn keyposes(found: &KeyposeAnalysis) -> Json {
         ("anova", anova.into()),
         ("sureness", sureness.ratio.into()),
         ("cut", sureness.cut().into()),
+        (
+            "postures",
+            Json::list(found.postures.iter().map(|one| words(one))),
+        ),
     ])
+}
+
+fn words(posture: &[PostureWord]) -> Json {
+    Json::list(posture.iter().map(|word| word.name()))
 }
 
 fn notes(notes: &[Note]) -> Json {

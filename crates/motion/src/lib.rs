@@ -29,6 +29,7 @@ pub mod keypose;
 pub mod kinematics;
 pub mod note;
 pub mod part_change;
+pub mod posture;
 pub mod report;
 pub mod rest;
 pub mod skeleton;

@@ -71,17 +71,22 @@ impl Up {
         Self::ALL.into_iter().find(|up| up.name() == name)
     }
 
+    /// The direction towards the sky, of length 1.
+    pub fn direction(self) -> Vector3<f64> {
+        let mut direction = Vector3::zeros();
+        direction[self.axis.index()] = self.sign();
+        direction
+    }
+
     /// Two level axes, the second a quarter turn counter-clockwise about up from the first. A viewer
     /// at yaw ψ has first · cos ψ + second · sin ψ to the right and stands on the side
     /// first · sin ψ − second · cos ψ. The first is +X for ±Y and ±Z up, ∓Y for ±X.
     pub fn level_axes(self) -> [Vector3<f64>; 2] {
-        let mut along = Vector3::zeros();
-        along[self.axis.index()] = self.sign();
         let first = match self.axis {
             Axis::X => -self.sign() * Vector3::y(),
             Axis::Y | Axis::Z => Vector3::x(),
         };
-        [first, along.cross(&first)]
+        [first, self.direction().cross(&first)]
     }
 
     /// Its name, e.g. `+Y`.

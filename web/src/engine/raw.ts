@@ -183,7 +183,7 @@ interface PerformerSummary extends Omit<
 
 interface KeyposeSummary extends Pick<
   KeyposeResult,
-  'firstFrame' | 'maximumSpeed' | 'clusters' | 'anova' | 'cut'
+  'firstFrame' | 'maximumSpeed' | 'clusters' | 'anova' | 'cut' | 'postures'
 > {
   /** null: nothing of weight was dropped. */
   readonly sureness: number | null;
@@ -222,7 +222,6 @@ function keyposesOf(handle: ClipHandle, summary: KeyposeSummary, index: number):
     byIntensity: handle.byIntensity(index),
     strongestScales: handle.strongestScales(index),
     bodyPartPercents: handle.bodyPartPercents(index),
-    postures: [],
     keyposes: handle.keyposes(index),
   };
 }

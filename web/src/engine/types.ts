@@ -65,22 +65,24 @@ export const bodyParts = ['left-arm', 'right-arm', 'left-leg', 'right-leg', 'hea
 
 export type BodyPart = (typeof bodyParts)[number];
 
-/** What a pose looks like, in words of the catalogue. */
-export interface PostureWord {
-  readonly part:
-    'left-arm' | 'right-arm' | 'both-arms' | 'left-leg' | 'right-leg' | 'both-legs' | 'trunk';
-  readonly state:
-    | 'raised'
-    | 'stretched'
-    | 'forward'
-    | 'back'
-    | 'crossed'
-    | 'bent'
-    | 'high'
-    | 'apart'
-    | 'leaning'
-    | 'upright';
-}
+type ArmState = 'raised' | 'stretched' | 'forward' | 'back' | 'crossed' | 'bent';
+
+type LegState = 'high' | 'raised' | 'lifted' | 'bent';
+
+type TrunkState =
+  | 'leaning-forward'
+  | 'leaning-back'
+  | 'leaning-left'
+  | 'leaning-right'
+  | 'lying'
+  | 'upright';
+
+/** What a pose looks like: a part of the body and what it does, in words of the catalogue. */
+export type PostureWord =
+  | `${'left-arm' | 'right-arm' | 'both-arms'}-${ArmState}`
+  | `${'left' | 'right'}-leg-${LegState | 'forward'}`
+  | `both-legs-${LegState | 'apart' | 'crossed'}`
+  | `trunk-${TrunkState}`;
 
 /** A departure from the plain form of a file; `kind` and `details` fill the catalogue's sentence. */
 export interface Note {

@@ -9,9 +9,10 @@ use crate::body::Body;
 use crate::clip::Clip;
 use crate::figure;
 use crate::keypose::Extraction;
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Kinematics, WorldFromJoint};
 use crate::note::{Note, NoteKind};
 use crate::part_change::PartChange;
+use crate::posture::{Pose, PostureWord, posture};
 use crate::speed::MotionSpeed;
 use crate::track::PelvisTrack;
 
@@ -72,6 +73,7 @@ impl Findings<'_> {
                 trend: self.trend.to_vec(),
                 extraction: extraction.clone(),
                 part_changes: self.part_changes.to_vec(),
+                postures: self.postures(extraction),
             }),
             _ if self.clip.frames == 0 => Err(Note::new(NoteKind::NoMotion, Vec::new())),
             _ => {
@@ -79,6 +81,24 @@ impl Findings<'_> {
                 Err(Note::new(NoteKind::TooShort, vec![frames]))
             }
         }
+    }
+
+    fn postures(&self, extraction: &Extraction) -> Vec<Vec<PostureWord>> {
+        let Placement {
+            frame,
+            up,
+            ground_height,
+            ..
+        } = self.placement;
+        let kinematics = Kinematics::new(self.clip, self.performer);
+        let mut world_from_joint = vec![WorldFromJoint::default(); kinematics.joint_count()];
+        let words = |keypose: usize| -> Option<Vec<PostureWord>> {
+            let row = self.track.first_frame + keypose;
+            kinematics.world_from_joint(row, &mut world_from_joint);
+            let pose = Pose::new(self.body, frame, &world_from_joint, up.0, *ground_height)?;
+            Some(posture(&pose))
+        };
+        extraction.keyposes().into_iter().map_while(words).collect()
     }
 
     fn trail_joints(&self) -> Vec<usize> {

@@ -21,6 +21,7 @@ use crate::clip::Clip;
 use crate::keypose::{Extraction, Options};
 use crate::note::Note;
 use crate::part_change::PartChange;
+use crate::posture::PostureWord;
 use crate::rest::LeadingRest;
 use crate::world::{Unit, Up};
 
@@ -83,6 +84,9 @@ pub struct KeyposeAnalysis {
     /// Of each keypose, how the parts of the body move there against the time around it; empty where
     /// the body is not human.
     pub part_changes: Vec<PartChange>,
+    /// Of each keypose, what it looks like; empty where the body is not human or has no left and
+    /// right.
+    pub postures: Vec<Vec<PostureWord>>,
 }
 
 impl KeyposeAnalysis {
