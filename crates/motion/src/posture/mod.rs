@@ -71,6 +71,3 @@ fn paired(
         }
     }
 }
-
-#[cfg(test)]
-mod tests;
