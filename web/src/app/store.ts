@@ -33,8 +33,8 @@ export interface Span {
   readonly last: number;
 }
 
-/** Rows of the timeline that can be folded. */
-export type FoldableRow = 'speed' | 'scales' | 'intensity' | 'overview';
+/** Rows of the timeline that can be folded; the others are no higher than a folded one. */
+export type FoldableRow = 'speed' | 'scales' | 'intensity';
 
 export type InspectorTab = 'method' | 'body' | 'doctor' | 'export';
 

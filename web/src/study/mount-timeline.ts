@@ -3,35 +3,63 @@ import { computed } from '@preact/signals-core';
 import type { Context } from '../app/context';
 import { keep } from '../common/keep';
 import { follow } from '../common/mount';
-import { Timeline, type TimelineProps } from '../timeline/timeline';
+import { Timeline, type TimelineEvents, type TimelineProps } from '../timeline/timeline';
+import { rememberFolds } from './folds';
+import { followPlayhead } from './follow-playhead';
 import { timelineText } from './study-text';
 
-export function mountTimeline(
-  place: HTMLElement,
-  { store, playback, language, theme }: Context,
-): void {
+export function mountTimeline(place: HTMLElement, context: Context): void {
+  const { store, language } = context;
   const text = computed(() => timelineText(language.words.value));
-  const seek = (frame: number): void => playback.seek(frame);
-  const hover = (frame: number | null): void => {
-    store.hoverFrame.value = frame;
+  const events = timelineEvents(context);
+  const show = keep<TimelineProps>((props) => new Timeline(place, props, events));
+  rememberFolds(context.store, context.preferences, window.innerHeight);
+  followPlayhead(store);
+  follow(() => show(timelineProps(context, text.value)));
+}
+
+function timelineEvents({ store, playback }: Context): TimelineEvents {
+  return {
+    onSeek: (frame) => playback.seek(frame),
+    onHover: (frame) => {
+      store.hoverFrame.value = frame;
+    },
+    onZoom: (span) => {
+      store.zoom.value = span;
+    },
+    onFold: (row, folded) => {
+      const rows = new Set(store.folded.peek());
+      if (folded) rows.add(row);
+      else rows.delete(row);
+      store.folded.value = rows;
+    },
+    onLoop: (range) => playback.setLoop(range),
   };
-  const show = keep<TimelineProps>(
-    (props) => new Timeline(place, props, { onSeek: seek, onHover: hover }),
-  );
-  follow(() => {
-    const result = store.openClip.value?.result;
-    const performer = store.openPerformer.value;
-    if (!result || !performer) return show(null);
-    show({
-      frames: result.frames,
-      frameTimeS: result.frameTimeS,
-      leadingRestFrames: performer.leadingRestFrames,
-      keyposes: performer.keyposes,
-      currentKeypose: store.currentKeypose.value,
-      frame: store.playback.value.frame,
-      hoverFrame: store.hoverFrame.value,
-      theme: theme.theme.value,
-      text: text.value,
-    });
-  });
+}
+
+function timelineProps(
+  { store, language, theme }: Context,
+  text: TimelineProps['text'],
+): TimelineProps | null {
+  const clip = store.openClip.value;
+  const performer = store.openPerformer.value;
+  if (!clip?.result || !performer) return null;
+  const { frame, loop, looping } = store.playback.value;
+  return {
+    frames: clip.result.frames,
+    frameTimeS: clip.result.frameTimeS,
+    leadingRestFrames: performer.leadingRestFrames,
+    keyposes: performer.keyposes,
+    reason: performer.unanalysed ? language.words.value.failure(performer.unanalysed) : '',
+    outdated: clip.outdated,
+    currentKeypose: store.currentKeypose.value,
+    frame,
+    hoverFrame: store.hoverFrame.value,
+    span: store.span.value,
+    folded: store.folded.value,
+    loop,
+    looping,
+    theme: theme.theme.value,
+    text,
+  };
 }

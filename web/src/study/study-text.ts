@@ -22,21 +22,69 @@ export function keyposeText({
 export function timelineText(words: Words): TimelineText {
   const { t, format } = words;
   return {
+    ...timelineNames(words),
+    ...timelineSummaries(words),
+    seconds: (timeS, digits) => format.decimal(timeS, digits),
+    withUnit: (seconds) => t('unit.seconds', seconds),
+    hertz: (value) => t('unit.hertz', format.short(value, 2)),
+    short: (value) => format.short(value, 2),
+    // Frames are labels, not quantities: without marks between thousands.
+    count: (value) => String(value),
+    figure: (value) => format.decimal(value, value < 10 ? 1 : 0),
+    keypose: keyposeText(words),
+    keyposes: (first, last, count) =>
+      t('timeline.lozenge', format.integer(first), format.integer(last), format.integer(count)),
+    moment: (frame, timeS) => t('spoken.moment', format.decimal(timeS, 3), String(frame)),
+    shown: (firstS, lastS, lengthS) =>
+      t('timeline.shown', ...[firstS, lastS, lengthS].map((value) => format.decimal(value, 1))),
+  };
+}
+
+type TimelineNames = {
+  [Key in keyof TimelineText]: TimelineText[Key] extends string ? Key : never;
+}[keyof TimelineText];
+
+function timelineNames({ t }: Words): Pick<TimelineText, TimelineNames> {
+  return {
     timeline: t('timeline.label'),
     pins: t('timeline.pins'),
     time: t('timeline.time'),
     timeUnits: t('timeline.time-units'),
     speed: t('timeline.speed'),
     speedUnit: t('timeline.speed-unit'),
+    scales: t('timeline.scales'),
+    fine: t('timeline.fine'),
+    coarse: t('timeline.coarse'),
+    intensity: t('timeline.intensity'),
+    cutNote: t('timeline.cut'),
+    automatic: t('timeline.automatic'),
+    overview: t('timeline.overview'),
     playhead: t('timeline.playhead'),
-    seconds: (timeS, digits) => format.decimal(timeS, digits),
-    // Frames are labels, not quantities: without marks between thousands.
-    count: (value) => String(value),
-    speedValue: (value) => format.decimal(value, value < 10 ? 1 : 0),
-    keypose: keyposeText(words),
-    keyposes: (first, last, count) =>
-      t('spoken.keyposes', format.integer(first), format.integer(last), format.integer(count)),
-    moment: (frame, timeS) => t('spoken.moment', format.decimal(timeS, 3), String(frame)),
+    loopStart: t('timeline.loop-start'),
+    loopEnd: t('timeline.loop-end'),
+    loopTip: t('timeline.loop-tip'),
+  };
+}
+
+function timelineSummaries({
+  t,
+  format,
+}: Words): Pick<TimelineText, 'speedSummary' | 'scalesSummary' | 'intensitySummary'> {
+  const { integer, short, decimal } = format;
+  return {
+    speedSummary: (maximum) => t('timeline.speed.spoken', decimal(maximum, 1)),
+    scalesSummary: (finestHz, coarsestHz, keyposes, candidates) =>
+      t(
+        'timeline.scales.spoken',
+        short(finestHz, 2),
+        short(coarsestHz, 2),
+        integer(keyposes),
+        integer(candidates),
+      ),
+    intensitySummary: (candidates, keyposes, cut) =>
+      cut === null
+        ? t('timeline.intensity.spoken.none', integer(candidates))
+        : t('timeline.intensity.spoken', integer(keyposes), integer(candidates), decimal(cut, 1)),
   };
 }
 

@@ -8,10 +8,27 @@ export interface Tick {
   readonly size: 'major' | 'middle' | 'minor';
 }
 
+/** How the ruler divides time: a label each `labelled` units, a tick each `tick` units. */
+export interface Division {
+  readonly unit: 'seconds' | 'frames';
+  readonly labelled: number;
+  readonly tick: number;
+  /** Digits of the seconds in a label. */
+  readonly digits: number;
+}
+
 /** Distances of labelled ticks, in seconds. */
-const STEPS_S = [0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600];
-const LABEL_WIDTH = 82;
+const STEPS_S = [
+  0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600,
+];
+const STEPS_FRAMES = [1, 2, 5, 10, 20, 50];
+/** From here on each frame has a tick of its own, in pixels. */
+const FRAME_TICKS = 8;
+const LABEL_AIR = 14;
+const LABEL_GAP = 5;
+const DIGIT = 6.4;
 const DIVISIONS = new Map([
+  [0.02, 4],
   [0.2, 4],
   [2, 4],
   [15, 3],
@@ -23,31 +40,64 @@ const DIVISIONS = new Map([
   [3600, 6],
 ]);
 
-/** The smallest step whose labels do not touch. */
-export function labelStepS(axis: Axis, frameTimeS: number): number {
+/** How wide the widest label of a clip is, in pixels, with `digits` digits of its seconds. */
+export function labelWidth(axis: Axis, frameTimeS: number, digits: number): number {
+  const { last } = axis.span;
+  const frame = String(Math.round(last)).length;
+  const time = clockTime(last * frameTimeS, digits).length + (last * frameTimeS < 60 ? 2 : 0);
+  return (frame + time) * DIGIT + LABEL_GAP + LABEL_AIR;
+}
+
+/** The finest division whose labels do not touch. */
+export function divisionOf(axis: Axis, frameTimeS: number): Division {
+  if (axis.scale >= FRAME_TICKS) {
+    const room = labelWidth(axis, frameTimeS, 3);
+    const labelled = STEPS_FRAMES.find((step) => step * axis.scale >= room) ?? 100;
+    return { unit: 'frames', labelled, tick: 1, digits: 3 };
+  }
   const pixelsPerSecond = axis.scale / frameTimeS;
-  return (
-    STEPS_S.find((step) => step * pixelsPerSecond >= LABEL_WIDTH) ?? longStepS(pixelsPerSecond)
-  );
+  const fits = (step: number): boolean =>
+    step * pixelsPerSecond >= labelWidth(axis, frameTimeS, digitsOf(step));
+  const labelled = STEPS_S.find(fits) ?? longStepS(axis, frameTimeS, pixelsPerSecond);
+  const parts = DIVISIONS.get(labelled) ?? 5;
+  return { unit: 'seconds', labelled, tick: labelled / parts, digits: digitsOf(labelled) };
 }
 
-function longStepS(pixelsPerSecond: number): number {
-  return 3600 * Math.ceil(LABEL_WIDTH / (3600 * pixelsPerSecond));
+function digitsOf(stepS: number): number {
+  return stepS >= 1 ? 0 : stepS >= 0.1 ? 1 : 2;
 }
 
-/** All ticks from time 0 to the clip's end. */
-export function rulerTicks(axis: Axis, frameTimeS: number): Tick[] {
-  const step = labelStepS(axis, frameTimeS);
-  const divisions = DIVISIONS.get(step) ?? 5;
-  const count = Math.floor((axis.lastFrame * frameTimeS * divisions) / step + 1e-9);
-  return Array.from({ length: count + 1 }, (_, index) => {
-    const timeS = (index * step) / divisions;
-    const frame = timeS / frameTimeS;
-    return { x: axis.x(frame), timeS, frame: Math.round(frame), size: tickSize(index, divisions) };
+function longStepS(axis: Axis, frameTimeS: number, pixelsPerSecond: number): number {
+  return 3600 * Math.ceil(labelWidth(axis, frameTimeS, 0) / (3600 * pixelsPerSecond));
+}
+
+/** The ticks in view, from time 0 to the clip's end. */
+export function rulerTicks(axis: Axis, frameTimeS: number, division: Division): Tick[] {
+  const frames = division.unit === 'frames' ? division.tick : division.tick / frameTimeS;
+  const first = Math.max(0, Math.ceil(Math.max(0, axis.placeAt(0)) / frames - 1e-9));
+  const end = Math.min(axis.lastFrame, axis.placeAt(axis.width));
+  const count = Math.max(0, Math.floor(end / frames + 1e-9) - first + 1);
+  const parts = Math.round(division.labelled / division.tick);
+  return Array.from({ length: count }, (_, index) => {
+    const frame = (first + index) * frames;
+    const timeS = division.unit === 'frames' ? frame * frameTimeS : (first + index) * division.tick;
+    const size = tickSize(first + index, parts);
+    return { x: axis.x(frame), timeS, frame: Math.round(frame), size };
   });
 }
 
-function tickSize(index: number, divisions: number): Tick['size'] {
-  if (index % divisions === 0) return 'major';
-  return divisions % 2 === 0 && index % (divisions / 2) === 0 ? 'middle' : 'minor';
+function tickSize(index: number, parts: number): Tick['size'] {
+  if (index % parts === 0) return 'major';
+  return parts % 2 === 0 && index % (parts / 2) === 0 ? 'middle' : 'minor';
+}
+
+/** "0.5" below a minute, "1:30" from there on, "1:02:05" from an hour on. */
+export function clockTime(timeS: number, digits: number): string {
+  const rounded = Number(timeS.toFixed(digits));
+  if (rounded < 60) return rounded.toFixed(digits);
+  const minutes = Math.floor(rounded / 60);
+  const rest = (rounded - 60 * minutes).toFixed(digits);
+  const seconds = rest.padStart(digits > 0 ? digits + 3 : 2, '0');
+  if (minutes < 60) return `${minutes}:${seconds}`;
+  return `${Math.floor(minutes / 60)}:${String(minutes % 60).padStart(2, '0')}:${seconds}`;
 }

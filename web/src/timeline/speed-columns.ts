@@ -1,5 +1,6 @@
-/** The speed curve reduced to one smallest and one largest value a pixel: pure geometry. */
+/** A series reduced to one smallest and one largest value a pixel of the axis: pure geometry. */
 import type { Axis } from './axis';
+import type { Extremes } from './extremes';
 
 /** Smallest and largest value of a series in each pixel column that it covers. */
 export interface Columns {
@@ -10,41 +11,37 @@ export interface Columns {
 }
 
 /**
- * Reduces `values` (element n belongs to frame `firstFrame + n`) to pixel columns. A column
- * without a frame of its own takes the value between its neighbours.
+ * Reduces a series (element n belongs to frame `firstFrame + n`) to the pixel columns of the axis that
+ * it covers. A column without a frame of its own takes the value between its neighbours.
  */
-export function reduceToColumns(values: Float64Array, firstFrame: number, axis: Axis): Columns {
-  const firstX = Math.round(axis.x(firstFrame));
-  const lastX = Math.round(axis.x(firstFrame + values.length - 1));
-  const count = Math.max(1, lastX - firstX + 1);
-  const minimum = new Float64Array(count);
-  const maximum = new Float64Array(count);
+export function reduceToColumns(series: Extremes, firstFrame: number, axis: Axis): Columns {
+  const origin = axis.x(firstFrame);
+  const end = axis.x(firstFrame + Math.max(0, series.values.length - 1));
+  const firstX = Math.max(0, Math.round(origin));
+  const lastX = Math.min(Math.ceil(axis.width), Math.round(end));
+  const count = series.values.length === 0 ? 0 : Math.max(0, lastX - firstX + 1);
+  const columns = {
+    firstX,
+    minimum: new Float64Array(count),
+    maximum: new Float64Array(count),
+  };
   for (let column = 0; column < count; column++) {
-    reduceColumn(values, firstFrame, axis, firstX + column, column, minimum, maximum);
+    const from = (firstX + column - 0.5 - origin) / axis.scale;
+    reduceColumn(series, from, from + 1 / axis.scale);
+    columns.minimum[column] = series.minimum;
+    columns.maximum[column] = series.maximum;
   }
-  return { firstX, minimum, maximum };
+  return columns;
 }
 
-function reduceColumn(
-  values: Float64Array,
-  firstFrame: number,
-  axis: Axis,
-  x: number,
-  column: number,
-  minimum: Float64Array,
-  maximum: Float64Array,
-): void {
-  const origin = axis.x(firstFrame);
-  const from = clamp((x - 0.5 - origin) / axis.scale, values.length - 1);
-  const to = clamp((x + 0.5 - origin) / axis.scale, values.length - 1);
-  let low = Math.min(between(values, from), between(values, to));
-  let high = Math.max(between(values, from), between(values, to));
-  for (let index = Math.ceil(from); index <= to; index++) {
-    low = Math.min(low, values[index]);
-    high = Math.max(high, values[index]);
-  }
-  minimum[column] = low;
-  maximum[column] = high;
+/** Leaves the extremes between two places of a series in it. */
+function reduceColumn(series: Extremes, from: number, to: number): void {
+  const last = series.values.length - 1;
+  const [begin, end] = [clamp(from, last), clamp(to, last)];
+  series.start();
+  series.takeValue(between(series.values, begin));
+  series.takeValue(between(series.values, end));
+  series.take(Math.ceil(begin), Math.floor(end) + 1);
 }
 
 function between(values: Float64Array, position: number): number {

@@ -1,52 +1,86 @@
-/** Draws the speed row on a canvas: area, trend and curve, once for each size, theme or result. */
-import type { KeyposeResult } from '../engine/types';
-import type { Axis } from './axis';
+/** Draws the row of motion speed: area, trend, curve and the keyposes upon it. */
+import type { Row } from './rows';
+import type { Scene } from './scene';
+import { hasStems } from './scene';
 import { type Columns, reduceToColumns } from './speed-columns';
 
-export const SPEED_ROW_HEIGHT = 58;
-const BASE = SPEED_ROW_HEIGHT - 3;
 const HEADROOM = 1.04;
+const FOOT = 3;
+const AIR = 9;
 
-/** Height of a speed above the row's lower edge, as a pixel of the row. */
-export function speedY(speed: number, maximum: number): number {
-  return BASE - (maximum > 0 ? speed / (maximum * HEADROOM) : 0) * (SPEED_ROW_HEIGHT - 9);
+/** Height of a speed, in pixels from the timeline's upper edge. */
+export function speedY(row: Row, speed: number, maximum: number): number {
+  const base = row.top + row.height - FOOT;
+  return base - (maximum > 0 ? speed / (maximum * HEADROOM) : 0) * (row.height - AIR);
 }
 
-/** Draws the whole row; the canvas gets the device's pixels. */
-export function drawSpeedRow(canvas: HTMLCanvasElement, axis: Axis, keyposes: KeyposeResult): void {
-  const context = prepare(canvas, axis.width);
-  if (context === null || keyposes.speed.length === 0) return;
-  const style = getComputedStyle(canvas);
-  const ink = style.getPropertyValue('--t-1').trim();
-  const columns = reduceToColumns(keyposes.speed, keyposes.firstFrame, axis);
-  const trend = reduceToColumns(keyposes.trend, keyposes.firstFrame, axis);
-  const maximum = keyposes.maximumSpeed;
-  fillArea(context, columns, maximum, ink);
-  strokeTrend(context, trend, maximum, style.getPropertyValue('--t-3').trim());
-  strokeCurve(context, columns, maximum, ink);
+export function drawSpeedRow(context: CanvasRenderingContext2D, scene: Scene): void {
+  const { axis, data, palette, rows } = scene;
+  const { firstFrame, maximumSpeed } = data.result;
+  const columns = reduceToColumns(data.speed, firstFrame, axis);
+  const trend = reduceToColumns(data.trend, firstFrame, axis);
+  const y = (speed: number): number => speedY(rows.speed, speed, maximumSpeed);
+  fillArea(context, columns, y, palette.ink);
+  if (!rows.speed.folded) strokeTrend(context, trend, y, palette.text3);
+  strokeCurve(context, columns, y, palette.ink);
+  if (hasStems(scene) && !rows.speed.folded) drawDots(context, scene, y);
 }
 
-function prepare(canvas: HTMLCanvasElement, width: number): CanvasRenderingContext2D | null {
-  const ratio = window.devicePixelRatio;
-  canvas.width = Math.max(1, Math.round(width * ratio));
-  canvas.height = Math.round(SPEED_ROW_HEIGHT * ratio);
-  const context = canvas.getContext('2d');
-  context?.scale(ratio, ratio);
-  return context;
+/** The keypose's disc on the curve, with a rim of the page. */
+export function drawSpeedDot(
+  context: CanvasRenderingContext2D,
+  { axis, data, palette, rows }: Scene,
+  keypose: number,
+  radius: number,
+): void {
+  const frame = data.frames[keypose];
+  const speed = data.speedAt(frame);
+  if (speed === undefined) return;
+  context.beginPath();
+  context.arc(axis.x(frame), speedY(rows.speed, speed, data.result.maximumSpeed), radius, 0, 7);
+  context.fillStyle = palette.kp;
+  context.strokeStyle = palette.panel;
+  context.lineWidth = 1.4;
+  context.fill();
+  context.stroke();
 }
+
+const DOT_RADIUS = 2.8;
+
+function drawDots(
+  context: CanvasRenderingContext2D,
+  { axis, data, palette, keyposes }: Scene,
+  y: (speed: number) => number,
+): void {
+  context.beginPath();
+  for (let keypose = keyposes.from; keypose < keyposes.to; keypose++) {
+    const frame = data.frames[keypose];
+    const x = axis.x(frame);
+    const at = y(data.speedAt(frame) ?? 0);
+    context.moveTo(x + DOT_RADIUS, at);
+    context.arc(x, at, DOT_RADIUS, 0, 2 * Math.PI);
+  }
+  context.fillStyle = palette.kp;
+  context.strokeStyle = palette.panel;
+  context.lineWidth = 1.4;
+  context.fill();
+  context.stroke();
+}
+
+type ToPixel = (speed: number) => number;
 
 function fillArea(
   context: CanvasRenderingContext2D,
-  columns: Columns,
-  maximum: number,
+  { firstX, maximum }: Columns,
+  y: ToPixel,
   ink: string,
 ): void {
+  const base = y(0);
   context.beginPath();
-  context.moveTo(columns.firstX, BASE);
-  columns.maximum.forEach((speed, index) =>
-    context.lineTo(columns.firstX + index, speedY(speed, maximum)),
-  );
-  context.lineTo(columns.firstX + columns.maximum.length - 1, BASE);
+  context.moveTo(firstX, base);
+  for (let index = 0; index < maximum.length; index++)
+    context.lineTo(firstX + index, y(maximum[index]));
+  context.lineTo(firstX + maximum.length - 1, base);
   context.globalAlpha = 0.07;
   context.fillStyle = ink;
   context.fill();
@@ -56,14 +90,13 @@ function fillArea(
 function strokeTrend(
   context: CanvasRenderingContext2D,
   trend: Columns,
-  maximum: number,
+  y: ToPixel,
   colour: string,
 ): void {
   context.beginPath();
-  trend.maximum.forEach((speed, index) => {
-    const middle = (speed + trend.minimum[index]) / 2;
-    context.lineTo(trend.firstX + index, speedY(middle, maximum));
-  });
+  for (let index = 0; index < trend.maximum.length; index++) {
+    context.lineTo(trend.firstX + index, y((trend.maximum[index] + trend.minimum[index]) / 2));
+  }
   context.setLineDash([3, 3]);
   context.lineWidth = 1;
   context.strokeStyle = colour;
@@ -74,19 +107,19 @@ function strokeTrend(
 /** A line through both ends of every column, the end nearer to the last point first. */
 function strokeCurve(
   context: CanvasRenderingContext2D,
-  columns: Columns,
-  maximum: number,
+  { firstX, minimum, maximum }: Columns,
+  y: ToPixel,
   ink: string,
 ): void {
   context.beginPath();
-  let previous = columns.minimum[0];
-  columns.minimum.forEach((low, index) => {
-    const high = columns.maximum[index];
+  let previous = minimum[0];
+  for (let index = 0; index < minimum.length; index++) {
+    const [low, high] = [minimum[index], maximum[index]];
     const rising = previous - low <= high - previous;
-    const ends = rising ? [low, high] : [high, low];
-    for (const speed of ends) context.lineTo(columns.firstX + index, speedY(speed, maximum));
-    previous = ends[1]!;
-  });
+    context.lineTo(firstX + index, y(rising ? low : high));
+    context.lineTo(firstX + index, y(rising ? high : low));
+    previous = rising ? high : low;
+  }
   context.lineWidth = 1.35;
   context.lineJoin = 'round';
   context.strokeStyle = ink;

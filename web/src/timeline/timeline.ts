@@ -1,24 +1,49 @@
-/** The timeline of one clip: pins, ruler and motion speed on one axis, with playhead and hover. */
+/** The timeline of one clip: rows on one axis that can be zoomed, with playhead, hover, loop and overview. */
 import './timeline.css';
+import type { FoldableRow } from '../app/store';
 import { element } from '../common/element';
 import type { KeyposeResult } from '../engine/types';
-import { Axis, GUTTER_WIDTH } from './axis';
+import type { LoopRange } from '../player/clock';
+import { Axis, GUTTER_WIDTH, type AxisSpan } from './axis';
+import { watchPixelRatio } from './canvas';
+import { Gestures, type GestureGround } from './gestures';
+import { Gutter } from './gutter';
+import { candidateAt } from './hit';
+import { LoopBand } from './loop-band';
+import { Overview } from './overview';
+import { paletteOf, type Palette } from './palette';
 import { layoutPins } from './pin-layout';
 import { PinRow } from './pin-row';
+import { Playhead } from './playhead';
+import { RowLabels } from './row-labels';
+import { layoutRows, rowAt, type RowLayout } from './rows';
+import { RowsCanvas } from './rows-canvas';
 import { Ruler } from './ruler';
+import { divisionOf, rulerTicks } from './ruler-layout';
+import { sceneOf, type Scene } from './scene';
+import { TimelineData } from './timeline-data';
 import type { TimelineText } from './timeline-text';
-import { drawSpeedRow, speedY } from './speed-row';
+import { fitted, wholeSpan } from './zoom';
 
 export interface TimelineProps {
   readonly frames: number;
   readonly frameTimeS: number;
   readonly leadingRestFrames: number;
   readonly keyposes: KeyposeResult | null;
+  /** Why there are no keyposes, in a sentence. */
+  readonly reason: string;
+  /** A newer result is on its way. */
+  readonly outdated: boolean;
   /** Index of the current keypose in time order; null without keyposes. */
   readonly currentKeypose: number | null;
   readonly frame: number;
   /** The moment under the pointer anywhere on the page. */
   readonly hoverFrame: number | null;
+  /** The frames shown. */
+  readonly span: AxisSpan;
+  readonly folded: ReadonlySet<FoldableRow>;
+  readonly loop: LoopRange | null;
+  readonly looping: boolean;
   /** Redraws the colours when it changes. */
   readonly theme: string;
   readonly text: TimelineText;
@@ -27,41 +52,58 @@ export interface TimelineProps {
 export interface TimelineEvents {
   onSeek(frame: number): void;
   onHover(frame: number | null): void;
+  /** Another part of the clip is to be shown; null: all of it. */
+  onZoom(span: AxisSpan | null): void;
+  onFold(row: FoldableRow, folded: boolean): void;
+  onLoop(range: LoopRange | null): void;
 }
+
+/** Properties upon which everything is laid out anew; upon those of `SPAN` the rows are drawn anew. */
+const STILL = ['frames', 'frameTimeS', 'keyposes', 'theme', 'text', 'folded', 'reason'] as const;
+const SPAN = ['span', 'leadingRestFrames'] as const;
+/** The longest that the cache of the series is built at a stretch, and one step of it in blocks. */
+const BUILD_MS = 10;
+const BUILD_BLOCKS = 2000;
+/** Air around the keyposes of a lozenge that is opened, in parts of their length and in frames. */
+const OPEN_AIR = 0.15;
+const OPEN_FRAMES = 10;
 
 export class Timeline {
   private readonly root = element('section', 'timeline');
   private readonly area = element('div', 'timeline-area');
-  private readonly canvas = document.createElement('canvas');
+  private readonly layer = element('div', 'timeline-layer');
   private readonly rest = element('div', 'timeline-rest');
-  private readonly stems = element('div', 'timeline-stems');
-  private readonly playhead = element('div', 'playhead');
-  private readonly flag = element('div', 'playhead-flag');
-  private readonly hover = element('div', 'hover-line');
-  private readonly hoverFlag = element('div', 'hover-flag');
-  private readonly maximum = element('span', 'timeline-maximum');
-  private readonly speedValue = element('span', 'timeline-value');
-  private readonly labels: Record<
-    'pins' | 'time' | 'timeUnits' | 'speed' | 'speedUnit',
-    HTMLElement
-  >;
-  private readonly pins: PinRow;
+  private readonly reason = element('p', 'timeline-reason');
+  private readonly gutter: Gutter;
+  private readonly canvases = new RowsCanvas();
+  private readonly labels = new RowLabels();
   private readonly ruler = new Ruler();
-  private readonly observer: ResizeObserver;
+  private readonly pins: PinRow;
+  private readonly playhead = new Playhead();
+  private readonly loop: LoopBand;
+  private readonly overview: Overview;
+  private readonly stops: (() => void)[] = [];
   private axis = new Axis(0, 0);
+  private rows: RowLayout = layoutRows(new Set(), true);
+  private data: TimelineData | null = null;
+  private scene: Scene | null = null;
+  private palette: Palette | null = null;
 
   constructor(
     target: HTMLElement,
     private props: TimelineProps,
     private readonly events: TimelineEvents,
   ) {
-    this.pins = new PinRow((keypose) => this.seekKeypose(keypose));
-    this.labels = this.buildGutter();
-    this.buildArea();
+    this.gutter = new Gutter((row, folded) => this.events.onFold(row, folded));
+    this.pins = new PinRow({
+      onPick: (keypose) => this.events.onSeek(this.data?.frames[keypose] ?? 0),
+      onOpen: (first, last) => this.open(first, last),
+    });
+    this.loop = new LoopBand({ onLoop: (range) => this.events.onLoop(range) });
+    this.overview = new Overview({ onZoom: (span) => this.zoom(span) });
+    this.build();
     target.append(this.root);
     this.listen();
-    this.observer = new ResizeObserver(() => this.layout());
-    this.observer.observe(this.area);
     this.layout();
   }
 
@@ -69,166 +111,198 @@ export class Timeline {
   update(changes: Partial<TimelineProps>): void {
     const before = this.props;
     this.props = { ...before, ...changes };
-    const still = [
-      'frames',
-      'frameTimeS',
-      'keyposes',
-      'leadingRestFrames',
-      'theme',
-      'text',
-    ] as const;
-    if (still.some((key) => this.props[key] !== before[key])) this.layout();
-    else this.move(before);
+    const changed = (key: keyof TimelineProps): boolean => this.props[key] !== before[key];
+    if (changed('outdated')) this.root.classList.toggle('outdated', this.props.outdated);
+    if (STILL.some(changed)) this.layout();
+    else if (SPAN.some(changed)) this.show();
+    else this.follow(before);
   }
 
   destroy(): void {
-    this.observer.disconnect();
+    for (const stop of this.stops) stop();
     this.root.remove();
   }
 
-  private buildGutter(): Timeline['labels'] {
-    const gutter = element('div', 'timeline-gutter');
-    const labels = {
-      pins: element('span', 'timeline-label pins-label'),
-      time: element('span', 'timeline-label time-label'),
-      timeUnits: element('span', 'timeline-label time-units'),
-      speed: element('span', 'timeline-label speed-label'),
-      speedUnit: element('span', 'timeline-label speed-unit'),
-    };
-    gutter.append(...Object.values(labels), this.speedValue);
-    this.root.append(gutter, this.area);
-    return labels;
-  }
-
-  private buildArea(): void {
-    this.canvas.className = 'speed-row';
-    this.canvas.setAttribute('aria-hidden', 'true');
-    this.playhead.append(this.flag);
-    this.hover.append(this.hoverFlag);
-    this.playhead.tabIndex = 0;
-    this.playhead.setAttribute('role', 'slider');
-    this.playhead.setAttribute('aria-valuemin', '0');
-    this.area.append(this.rest, this.ruler.element, this.canvas, this.stems, this.maximum);
-    this.area.append(this.pins.element, this.hover, this.playhead);
+  private build(): void {
+    this.layer.append(
+      this.rest,
+      this.loop.band,
+      this.canvases.still,
+      this.canvases.current,
+      this.labels.element,
+      this.ruler.element,
+      this.reason,
+      this.pins.element,
+      this.playhead.twin,
+      this.loop.tabs.a,
+      this.loop.tabs.b,
+      this.playhead.line,
+    );
+    this.area.append(this.layer, this.overview.element);
+    this.root.append(this.gutter.element, this.area);
+    this.root.classList.toggle('outdated', this.props.outdated);
   }
 
   private layout(): void {
-    const { frames, frameTimeS, leadingRestFrames, text } = this.props;
-    const width = Math.max(0, this.root.clientWidth - GUTTER_WIDTH);
-    this.axis = new Axis(width, Math.max(0, frames - 1));
-    this.writeLabels();
-    this.rest.style.width = `${leadingRestFrames > 0 ? this.axis.x(leadingRestFrames) : 0}px`;
-    this.ruler.update(this.axis, frameTimeS, text);
-    this.layoutKeyposes();
-    this.move(null);
-  }
-
-  private writeLabels(): void {
-    const { text, keyposes } = this.props;
-    for (const key of Object.keys(this.labels) as (keyof Timeline['labels'])[]) {
-      this.labels[key].textContent = text[key];
+    const { keyposes, folded, frames, text, reason } = this.props;
+    if (this.data?.result !== keyposes) {
+      this.data = keyposes === null ? null : new TimelineData(keyposes);
+      this.buildSeries();
     }
+    this.rows = layoutRows(folded, keyposes !== null);
+    this.palette = paletteOf(this.root);
+    this.root.style.height = `${this.rows.height + 1}px`;
+    this.layer.style.height = `${this.rows.spanHeight}px`;
     this.root.setAttribute('aria-label', text.timeline);
-    this.playhead.setAttribute('aria-label', text.playhead);
-    this.playhead.setAttribute('aria-valuemax', String(this.axis.lastFrame));
-    this.maximum.textContent = keyposes === null ? '' : text.speedValue(keyposes.maximumSpeed);
+    this.reason.textContent = reason;
+    this.reason.hidden = keyposes !== null;
+    this.gutter.update(this.rows, text, keyposes !== null);
+    this.labels.update(this.rows, this.data, text);
+    this.overview.draw(this.width, frames - 1, this.rows.overview, this.data, this.palette);
+    this.show();
   }
 
-  private layoutKeyposes(): void {
-    const { keyposes, text, frameTimeS } = this.props;
-    this.canvas.hidden = keyposes === null;
-    if (keyposes !== null) drawSpeedRow(this.canvas, this.axis, keyposes);
-    const frames = keyposes === null ? new Int32Array() : keyposeFrames(keyposes);
-    const pins = layoutPins(frames, this.axis);
-    this.pins.update(pins, frames, frameTimeS, text);
-    this.stems.replaceChildren(...pins.flatMap((pin) => this.stem(pin.x, frames[pin.first])));
+  /** Draws the span that is shown. */
+  private show(): void {
+    const { frames, frameTimeS, span, text } = this.props;
+    this.axis = new Axis(this.width, Math.max(0, frames - 1), span);
+    const { axis, rows, data } = this;
+    const palette = this.palette!;
+    const division = divisionOf(axis, frameTimeS);
+    const ticks = axis.width > 0 ? rulerTicks(axis, frameTimeS, division) : [];
+    this.scene = data === null ? null : sceneOf(axis, rows, data, palette);
+    this.canvases.draw(axis, rows, palette, ticks, this.scene);
+    this.ruler.update(axis, frameTimeS, ticks, division, text);
+    const keyposeFrames = data?.frames ?? new Int32Array();
+    this.pins.update(layoutPins(keyposeFrames, axis), axis, keyposeFrames, frameTimeS, text);
+    this.playhead.update(axis, text);
+    this.overview.update(span, frameTimeS, text);
+    this.placeRest();
+    this.follow(null);
   }
 
-  private stem(x: number, frame: number): HTMLElement[] {
-    const keyposes = this.props.keyposes!;
-    const stem = element('i', 'stem');
-    const dot = element('i', 'stem-dot');
-    const speed = keyposes.speed[frame - keyposes.firstFrame] ?? 0;
-    stem.style.left = dot.style.left = `${x}px`;
-    dot.style.top = `${PIN_AND_RULER_HEIGHT + speedY(speed, keyposes.maximumSpeed)}px`;
-    return [stem, dot];
+  private placeRest(): void {
+    const [left, right] = [this.axis.x(0), this.axis.x(this.props.leadingRestFrames)];
+    const from = Math.max(0, this.props.span.first > 0 ? left : 0);
+    this.rest.style.left = `${from}px`;
+    this.rest.style.width = `${Math.max(0, Math.min(this.axis.width, right) - from)}px`;
+    this.rest.style.height = `${this.rows.spanHeight - this.rows.ruler.top}px`;
+    this.rest.hidden = this.props.leadingRestFrames === 0;
   }
 
   /** Moves what follows the time; everything when `before` is null. */
-  private move(before: TimelineProps | null): void {
-    const { frame, hoverFrame, currentKeypose } = this.props;
-    if (before === null || frame !== before.frame) this.movePlayhead();
-    if (before === null || hoverFrame !== before.hoverFrame) this.moveHover();
-    if (before === null || currentKeypose !== before.currentKeypose) this.markCurrent();
-    this.writeSpeed();
-  }
-
-  private movePlayhead(): void {
-    const { frame, frameTimeS, text } = this.props;
-    this.place(this.playhead, this.flag, frame);
-    this.flag.textContent = text.seconds(frame * frameTimeS, 3);
-    this.playhead.setAttribute('aria-valuenow', String(frame));
-    this.playhead.setAttribute('aria-valuetext', text.moment(frame, frame * frameTimeS));
-    this.ruler.makeRoom(this.axis.x(frame));
-  }
-
-  private moveHover(): void {
-    const { hoverFrame, frameTimeS, text } = this.props;
-    this.hover.hidden = hoverFrame === null;
-    if (hoverFrame === null) return;
-    this.place(this.hover, this.hoverFlag, hoverFrame);
-    this.hoverFlag.textContent = text.seconds(hoverFrame * frameTimeS, 3);
-  }
-
-  /** Puts a line at a frame; its flag stays within the axis. */
-  private place(line: HTMLElement, flag: HTMLElement, frame: number): void {
-    const x = this.axis.x(frame);
-    const inside = Math.min(this.axis.width - FLAG_HALF_WIDTH, Math.max(FLAG_HALF_WIDTH, x));
-    line.style.transform = `translateX(${x}px)`;
-    flag.style.marginLeft = `${inside - x}px`;
+  private follow(before: TimelineProps | null): void {
+    const { frame, frameTimeS, hoverFrame, loop, looping, text } = this.props;
+    const changed = (key: keyof TimelineProps): boolean =>
+      before === null || this.props[key] !== before[key];
+    if (changed('frame')) {
+      this.playhead.move(this.axis, frame, frameTimeS, text);
+      this.overview.movePlayhead(frame);
+    }
+    if (changed('hoverFrame')) this.playhead.moveTwin(this.axis, hoverFrame, frameTimeS, text);
+    if (changed('currentKeypose')) this.markCurrent();
+    if (changed('loop') || changed('looping'))
+      this.loop.update(this.axis, this.rows, loop, looping, frameTimeS, text);
+    if (changed('frame') || changed('loop')) this.makeRoom();
+    this.writeFigures();
   }
 
   private markCurrent(): void {
-    this.pins.markCurrent(this.props.currentKeypose);
-    const current = this.pins.currentPin;
-    const stems = this.stems.children;
-    for (let index = 0; index < stems.length; index++) {
-      stems[index].classList.toggle('current', Math.floor(index / 2) === current);
-    }
+    const { currentKeypose } = this.props;
+    this.pins.markCurrent(currentKeypose);
+    this.canvases.drawCurrent(this.axis, this.rows, this.scene, currentKeypose);
   }
 
-  private writeSpeed(): void {
-    const { keyposes, frame, hoverFrame, text } = this.props;
-    const speed = keyposes?.speed[(hoverFrame ?? frame) - keyposes.firstFrame];
-    this.speedValue.textContent = speed === undefined ? '' : text.speedValue(speed);
+  private makeRoom(): void {
+    const { frame, loop } = this.props;
+    const frames = loop === null ? [frame] : [frame, loop.a, loop.b];
+    this.ruler.makeRoom(frames.map((place) => this.axis.x(place)));
   }
 
-  private seekKeypose(keypose: number): void {
-    const { keyposes } = this.props;
-    if (keyposes !== null) this.events.onSeek(keyposeFrames(keyposes)[keypose]);
+  private writeFigures(): void {
+    const { frame, hoverFrame, span, frames, frameTimeS, text } = this.props;
+    const speed = this.data?.speedAt(hoverFrame ?? frame);
+    const cut = this.data?.result.cut ?? null;
+    const length = span.last - span.first;
+    this.gutter.showFigures({
+      speed: speed === undefined ? '' : text.figure(speed),
+      intensity: cut === null ? '' : text.figure(cut),
+      overview: length < frames - 1 ? text.withUnit(text.seconds(length * frameTimeS, 1)) : '',
+    });
+  }
+
+  private get width(): number {
+    return Math.max(0, this.root.clientWidth - GUTTER_WIDTH);
+  }
+
+  /** Shows the keyposes of a lozenge apart. */
+  private open(first: number, last: number): void {
+    if (this.data === null) return;
+    const [from, to] = [this.data.frames[first], this.data.frames[last]];
+    const air = Math.max(OPEN_FRAMES, OPEN_AIR * (to - from));
+    this.zoom(fitted({ first: from - air, last: to + air }, this.axis.lastFrame));
+  }
+
+  /** Other wheels may turn before the page draws: they go on from here. */
+  private zoom(span: AxisSpan | null): void {
+    this.axis = new Axis(
+      this.axis.width,
+      this.axis.lastFrame,
+      span ?? wholeSpan(this.axis.lastFrame),
+    );
+    this.events.onZoom(span);
+  }
+
+  /** Builds the cache of the series in slices; until it is there, the values themselves are read. */
+  private buildSeries(): void {
+    const { data } = this;
+    if (data === null) return;
+    const end = performance.now() + BUILD_MS;
+    for (const series of [data.speed, data.trend])
+      while (!series.isBuilt && performance.now() < end) series.build(BUILD_BLOCKS);
+    if (data.speed.isBuilt && data.trend.isBuilt) return;
+    requestAnimationFrame(() => {
+      if (this.data === data) this.buildSeries();
+    });
+  }
+
+  private get ground(): GestureGround {
+    return {
+      axis: () => this.axis,
+      isRuler: (y) => rowAt(this.rows, y) === 'ruler',
+      momentAt: (x, y, target) =>
+        this.pins.frameOf(target) ?? (this.scene && candidateAt(this.scene, x, y)),
+    };
   }
 
   private listen(): void {
-    const frameOf = (event: PointerEvent): number =>
-      this.axis.frameAt(event.clientX - this.area.getBoundingClientRect().left);
-    this.area.addEventListener('pointerdown', (event) => {
-      if (event.button !== 0 || event.target instanceof HTMLButtonElement) return;
-      this.area.setPointerCapture(event.pointerId);
-      this.events.onSeek(frameOf(event));
+    const { events } = this;
+    new Gestures(this.area, this.ground, {
+      onSeek: (frame) => events.onSeek(frame),
+      onHover: (frame) => events.onHover(frame),
+      onLoop: (range) => events.onLoop(range),
+      onZoom: (span) => this.zoom(span),
     });
-    this.area.addEventListener('pointermove', (event) => {
-      if (this.area.hasPointerCapture(event.pointerId)) this.events.onSeek(frameOf(event));
-      else this.events.onHover(frameOf(event));
+    this.area.addEventListener('dblclick', (event) => {
+      const x = event.clientX - this.area.getBoundingClientRect().left;
+      if (this.loop.covers(x) && !(event.target instanceof HTMLButtonElement)) events.onLoop(null);
     });
-    this.area.addEventListener('pointerleave', () => this.events.onHover(null));
+    const clearLoop = (event: KeyboardEvent): void => this.clearLoop(event);
+    document.addEventListener('keydown', clearLoop);
+    const observer = new ResizeObserver(() => this.layout());
+    observer.observe(this.area);
+    this.stops.push(
+      () => document.removeEventListener('keydown', clearLoop),
+      () => observer.disconnect(),
+      watchPixelRatio(() => this.layout()),
+    );
   }
-}
 
-const PIN_AND_RULER_HEIGHT = 46;
-/** Half the width of a time flag and a little air, in pixels. */
-const FLAG_HALF_WIDTH = 26;
-
-/** The frames of the keyposes, in time order. */
-export function keyposeFrames(keyposes: KeyposeResult): Int32Array {
-  return keyposes.keyposes.map((candidate) => keyposes.candidates[candidate]);
+  /** Escape clears the loop where no dialog, menu or panel has the focus. */
+  private clearLoop(event: KeyboardEvent): void {
+    const { activeElement } = document;
+    const free = activeElement === document.body || this.root.contains(activeElement);
+    if (event.key !== 'Escape' || event.defaultPrevented || !free) return;
+    if (this.props.loop !== null) this.events.onLoop(null);
+  }
 }

@@ -1,0 +1,41 @@
+/** What a row needs to be drawn: where, what and in which colours. */
+import type { Axis } from './axis';
+import type { Palette } from './palette';
+import type { RowLayout } from './rows';
+import { within, type Run } from './sorted';
+import type { TimelineData } from './timeline-data';
+
+/** Pixels beside the axis from which something may still reach into it. */
+const OVERHANG = 12;
+
+export interface Scene {
+  readonly axis: Axis;
+  readonly rows: RowLayout;
+  readonly data: TimelineData;
+  readonly palette: Palette;
+  /** The keyposes and the candidates in view. */
+  readonly keyposes: Run;
+  readonly candidates: Run;
+}
+
+export function sceneOf(axis: Axis, rows: RowLayout, data: TimelineData, palette: Palette): Scene {
+  const first = axis.placeAt(-OVERHANG);
+  const last = axis.placeAt(axis.width + OVERHANG);
+  const keyposes = within(data.frames, first, last);
+  return {
+    axis,
+    rows,
+    data,
+    palette,
+    keyposes,
+    candidates: within(data.result.candidates, first, last),
+  };
+}
+
+/** Keyposes closer than this on average would make one wash of their stems. */
+const STEM_DISTANCE = 5;
+
+/** Whether each keypose in view has a stem and a dot of its own. */
+export function hasStems({ axis, keyposes }: Scene): boolean {
+  return (keyposes.to - keyposes.from) * STEM_DISTANCE <= axis.width;
+}
