@@ -167,11 +167,12 @@ test('timeline and strip: pins, cards and the playhead go where they are pressed
   await app.expectFrame(frames[2] ?? -1);
 
   const area = (await timeline.locator('.timeline-area').boundingBox())!;
-  await page.mouse.click(area.x + area.width - 10, area.y + area.height - 10);
+  const speedY = area.y + 80;
+  await page.mouse.click(area.x + area.width - 10, speedY);
   await expect.poll(() => app.frame()).toBeGreaterThan(report.frames - 10);
-  await page.mouse.move(area.x + area.width / 2, area.y + area.height - 10);
+  await page.mouse.move(area.x + area.width / 2, speedY);
   await page.mouse.down();
-  await page.mouse.move(area.x + 2, area.y + area.height - 10, { steps: 4 });
+  await page.mouse.move(area.x + 2, speedY, { steps: 4 });
   await page.mouse.up();
   await expect.poll(() => app.frame()).toBeLessThan(4);
 });

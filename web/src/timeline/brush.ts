@@ -8,7 +8,7 @@ export type BrushPart = 'window' | 'first' | 'last' | 'outside';
 /** How near to an edge of the window a press takes hold of it, in pixels. */
 const EDGE_REACH = 6;
 /** A window narrower than this has no edges to take hold of. */
-const NARROWEST_WITH_EDGES = 24;
+export const NARROWEST_WITH_EDGES = 24;
 /** What the arrow keys move and resize, in parts of the span. */
 const KEY_STEP = 0.1;
 

@@ -1,7 +1,14 @@
 /** The overview: the whole clip's speed, and on it the part that the other rows show, as a brush. */
 import { element } from '../common/element';
 import { Axis, type AxisSpan } from './axis';
-import { brushed, brushPart, brushWindow, spanAfterKey, type BrushPart } from './brush';
+import {
+  brushed,
+  brushPart,
+  brushWindow,
+  NARROWEST_WITH_EDGES,
+  spanAfterKey,
+  type BrushPart,
+} from './brush';
 import { prepareCanvas } from './canvas';
 import type { Palette } from './palette';
 import type { Row } from './rows';
@@ -62,6 +69,7 @@ export class Overview {
     this.window.style.transform = `translateX(${first}px)`;
     this.window.style.width = `${last - first}px`;
     this.window.classList.toggle('whole', this.isWhole);
+    this.window.classList.toggle('narrow', last - first < NARROWEST_WITH_EDGES);
     this.window.setAttribute('aria-label', text.overview);
     this.window.setAttribute('aria-valuemax', String(this.axis.lastFrame));
     this.window.setAttribute('aria-valuenow', String(Math.round(span.first)));
