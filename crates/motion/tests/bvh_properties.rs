@@ -69,6 +69,15 @@ const PIECES: &[&str] = &[
     ".",
 ];
 
+/// A performer with three values a row.
+const ROOT_OF_THREE: &str = "HIERARCHY
+ROOT one
+{
+  OFFSET 0.0 0.0 0.0
+  CHANNELS 3 Zrotation Xrotation Yrotation
+}
+";
+
 fn read_in_slices(bytes: &[u8], cuts: &[usize]) -> Result<Clip, ParseError> {
     let mut reader = Reader::new(Some(bytes.len() as u64));
     let mut start = 0;
@@ -123,6 +132,33 @@ fn damaged(edits: &[(Index, usize, &str)]) -> Vec<u8> {
     bytes
 }
 
+/// Words of rows: most of a plain file, and some that take other ways.
+fn words() -> impl Strategy<Value = String> {
+    prop_oneof![
+        12 => (-180.0..180.0, 0..9_usize).prop_map(|(value, digits)| format!("{value:.digits$}")),
+        2 => any::<f64>().prop_map(|value| format!("{value:e}")),
+        1 => "[-+]?[0-9]{0,12}[.]?[0-9]{0,12}",
+        1 => select(&["0", "-0", "nan", "1e400", "1,5", "x", "-", "."][..]).prop_map(str::to_owned),
+    ]
+}
+
+/// What stands between words.
+fn blanks() -> impl Strategy<Value = &'static str> {
+    prop_oneof![40 => Just(" "), 2 => Just("  "), 1 => Just("\t"), 1 => Just("\x0B")]
+}
+
+/// A file of three values a row, of which some rows may be odd.
+fn long_file(words: &[(String, &str)], odd_row: Option<usize>, line_end: &str) -> String {
+    let mut text = format!("{}MOTION\nFrames: 9\nFrame Time: 0.1\n", ROOT_OF_THREE);
+    for (index, (word, blank)) in words.iter().enumerate() {
+        text += word;
+        text += blank;
+        let is_row_end = index % 3 == 2 && Some(index) != odd_row;
+        text += if is_row_end { line_end } else { "" };
+    }
+    text
+}
+
 fn utf16(bytes: &[u8]) -> Vec<u8> {
     let text = String::from_utf8_lossy(bytes);
     let units = "\u{FEFF}".encode_utf16().chain(text.encode_utf16());
@@ -147,6 +183,35 @@ proptest! {
     fn pieces_in_any_order(pieces in vec(select(PIECES), 0..40), cuts in vec(any::<Index>(), 0..4)) {
         check(["ROOT a {", &pieces.concat()].concat().as_bytes(), &cuts);
         check(pieces.concat().as_bytes(), &cuts);
+    }
+
+    /// Long enough for blocks to be read at once, which bytes one by one never are.
+    #[test]
+    fn rows_of_any_words(
+        words in vec((words(), blanks()), 1..200),
+        odd_row in any::<Index>(),
+        line_end in select(&["\n", "\r\n", "\r", " \n", "\n\n"][..]),
+        cuts in vec(any::<Index>(), 0..4),
+    ) {
+        check(long_file(&words, Some(odd_row.index(200)), line_end).as_bytes(), &cuts);
+    }
+
+    /// As nearly all files are: numbers alone, every bit of which must be right.
+    #[test]
+    fn rows_of_plain_numbers(
+        numbers in vec((-1000.0..1000.0, 0..9_usize), 3..200),
+        line_end in select(&["\n", "\r\n", " \n"][..]),
+        cuts in vec(any::<Index>(), 0..4),
+    ) {
+        let word = |(value, digits): &(f64, usize)| (format!("{value:.digits$}"), " ");
+        let words: Vec<_> = numbers.iter().map(word).collect();
+        let words = &words[..words.len() / 3 * 3];
+        let text = long_file(words, None, line_end);
+        check(text.as_bytes(), &cuts);
+        let values = parse(text.as_bytes()).expect("a clip").values;
+        let bits = values.into_iter().map(f64::to_bits);
+        let expected = words.iter().map(|(word, _)| word.parse().map(f64::to_bits));
+        assert_eq!(bits.map(Ok).collect::<Vec<_>>(), expected.collect::<Vec<_>>());
     }
 
     #[test]

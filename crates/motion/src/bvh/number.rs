@@ -1,5 +1,6 @@
 //! Numbers: bytes of a row go in, the `f64` that `str::parse` makes of them comes out.
 
+mod short;
 mod wide;
 
 use super::error::{ErrorKind, ParseError, excerpt};
@@ -31,6 +32,9 @@ pub fn plain(bytes: &[u8], start: usize, mark: Option<Mark>) -> Option<(f64, usi
     if mark.is_some_and(|mark| bytes.get(end) == Some(&(mark as u8))) {
         let decimals = end + 1;
         (significand, end) = digits(bytes, decimals, whole);
+        if end == decimals && mark == Some(Mark::Comma) {
+            return None;
+        }
         count += end - decimals;
         exponent = -((end - decimals) as i64);
     }
@@ -44,6 +48,15 @@ pub fn plain(bytes: &[u8], start: usize, mark: Option<Mark>) -> Option<(f64, usi
     }
     let size = scaled(significand, exponent)?;
     Some((if is_negative { -size } else { size }, end))
+}
+
+/// Reads the word from `start` to `end`, with a decimal point, if it is of a plain shape.
+#[inline]
+pub fn between(bytes: &[u8], start: usize, end: usize) -> Option<f64> {
+    short::number(bytes, start, end).or_else(|| {
+        let (value, read) = plain(bytes, start, Some(Mark::Point))?;
+        (read == end).then_some(value)
+    })
 }
 
 /// `significand · 10^exponent`. Where both are exact in an `f64`, one multiplication or division

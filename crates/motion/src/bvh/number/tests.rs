@@ -24,6 +24,36 @@ fn check(text: &str) {
     }
 }
 
+/// Reads the whole of `text` as a block does, behind as many bytes as it needs.
+fn read_between(text: &str) -> Option<f64> {
+    let bytes = format!("{}{text}", "0 ".repeat(8));
+    between(bytes.as_bytes(), 16, bytes.len())
+}
+
+/// The word and what is read of it, by whichever way takes it, must be the same.
+fn check_ways(text: &str) {
+    let bits = |number: f64| number.to_bits();
+    let known = match word(text.as_bytes()) {
+        Word::Number(number) => Some(bits(number)),
+        _ => None,
+    };
+    if let Some(number) = read_between(text) {
+        assert_eq!(
+            Some(bits(number)),
+            known.filter(|_| !text.contains(',')),
+            "{text}"
+        );
+    }
+    for mark in [None, Some(Mark::Point), Some(Mark::Comma)] {
+        match plain(text.as_bytes(), 0, mark) {
+            Some((number, end)) if end == text.len() => {
+                assert_eq!(Some(bits(number)), known, "{text} with {mark:?}");
+            }
+            _ => {}
+        }
+    }
+}
+
 fn digits_of(random: &mut Random, count: usize) -> String {
     let digit = |_| char::from(b'0' + random.below(10) as u8);
     (0..count).map(digit).collect()
@@ -89,6 +119,18 @@ fn a_million_numbers_of_every_shape_are_exact() {
 }
 
 #[test]
+fn all_ways_read_the_same_words() {
+    let characters = b"0123456789012345678901234567890..,--+eE/:x";
+    let mut random = Random::new(21);
+    for _ in 0..500_000 {
+        let length = below_one_of(&mut random, &[4, 10, 20]);
+        let byte = |_| char::from(characters[random.below(characters.len())]);
+        check_ways(&(0..length).map(byte).collect::<String>());
+        check_ways(&any_shape(&mut random));
+    }
+}
+
+#[test]
 fn numbers_at_the_edges_are_exact() {
     for text in [
         "0",
@@ -141,6 +183,9 @@ fn ordinary_numbers_take_the_plain_way() {
                 plain(text.as_bytes(), 0, Some(Mark::Point)).is_some(),
                 "{text}"
             );
+            let is_short =
+                short::number(format!("{:16}{text}", "").as_bytes(), 16, 16 + text.len());
+            assert_eq!(is_short.is_some(), !text.contains('e'), "{text}");
         }
     }
 }
@@ -151,6 +196,8 @@ fn a_number_ends_where_it_ends() {
     assert_eq!(plain(b"1e5x", 0, None), Some((1e5, 3)));
     assert_eq!(plain(b"1.5", 0, None), Some((1.0, 1)));
     assert_eq!(plain(b"1.5", 0, Some(Mark::Comma)), Some((1.0, 1)));
+    assert_eq!(plain(b"1. ", 0, Some(Mark::Point)), Some((1.0, 2)));
+    assert_eq!(plain(b"1, ", 0, Some(Mark::Comma)), None);
     assert_eq!(plain(b"-1,25 ", 0, Some(Mark::Comma)), Some((-1.25, 5)));
     for text in ["", "-", ".", "-.", "e5", "1e", "1e+", "nan", "+1"] {
         assert_eq!(plain(text.as_bytes(), 0, Some(Mark::Point)), None, "{text}");

@@ -1,9 +1,11 @@
 //! The rows: slices of the text after the header go in; the values come out, with what the shape
 //! of the rows says about wrapped and alternating rows.
 
+mod blocks;
 mod end;
 mod gaps;
 mod layout;
+mod marks;
 mod relative;
 mod text_after;
 
@@ -18,6 +20,7 @@ use crate::note::NoteKind;
 use crate::skeleton::Skeleton;
 use gaps::Gaps;
 use layout::{Layout, OddRow};
+use marks::BLOCK;
 use relative::Relative;
 use text_after::TextAfter;
 
@@ -105,10 +108,8 @@ impl Rows {
     pub fn push(&mut self, bytes: &[u8]) -> Result<(), ParseError> {
         let mut at = self.complete_cut(bytes)?;
         while at < bytes.len() && self.text.is_none() {
-            at = self.plain_numbers(bytes, at);
-            if at < bytes.len() {
-                at = self.next(bytes, at)?;
-            }
+            at = self.plain_blocks(bytes, at);
+            at = self.odd_block(bytes, at)?;
         }
         self.text(&bytes[at..])?;
         self.position.end_slice(bytes.len());
@@ -116,8 +117,20 @@ impl Rows {
         Ok(())
     }
 
-    /// Reads numbers of the plain shape while nothing else comes: nearly all of a file. Returns
-    /// where the rest begins.
+    /// Reads what no plain block is, number by number; returns where the rest begins.
+    fn odd_block(&mut self, bytes: &[u8], start: usize) -> Result<usize, ParseError> {
+        let end = bytes.len().min(start + BLOCK);
+        let mut at = start;
+        while at < end && self.text.is_none() {
+            at = self.plain_numbers(bytes, at);
+            if at < bytes.len() {
+                at = self.next(bytes, at)?;
+            }
+        }
+        Ok(at)
+    }
+
+    /// Reads numbers of the plain shape while nothing else comes. Returns where the rest begins.
     fn plain_numbers(&mut self, bytes: &[u8], start: usize) -> usize {
         let room = self.values.capacity() - self.values.len();
         let room = match self.layout {
