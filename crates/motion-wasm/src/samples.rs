@@ -1,7 +1,7 @@
 //! The sample motions: their catalogue and their bytes.
 
 use motion::report::json::Json;
-use sample_motions::{Entry, Motion, catalogue};
+use sample_motions::{Entry, catalogue};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// The samples offered, as JSON: id, motion, fileName.
@@ -18,13 +18,9 @@ pub fn sample_bvh(id: &str) -> Option<Vec<u8>> {
 }
 
 fn entry(entry: &Entry) -> Json {
-    let motion = match entry.sample.motion {
-        Motion::SlowDance => "slow-dance",
-        Motion::Walk => "walk",
-    };
     Json::object([
         ("id", entry.id.into()),
-        ("motion", motion.into()),
+        ("motion", entry.sample.motion.id().into()),
         ("fileName", format!("{}.bvh", entry.id).into()),
     ])
 }

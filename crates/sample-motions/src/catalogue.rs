@@ -12,7 +12,7 @@ pub struct Entry {
     pub sample: Sample,
 }
 
-const ENTRIES: [Entry; 2] = [
+const ENTRIES: [Entry; 4] = [
     Entry {
         id: "slow-dance",
         sample: Sample {
@@ -22,10 +22,26 @@ const ENTRIES: [Entry; 2] = [
         },
     },
     Entry {
+        id: "tired-dance",
+        sample: Sample {
+            motion: Motion::TiredDance,
+            rig: Rig::Vrm,
+            rate: Rate::Hz30,
+        },
+    },
+    Entry {
         id: "walk",
         sample: Sample {
             motion: Motion::Walk,
             rig: Rig::Poser,
+            rate: Rate::Hz120,
+        },
+    },
+    Entry {
+        id: "run",
+        sample: Sample {
+            motion: Motion::Run,
+            rig: Rig::Hik,
             rate: Rate::Hz120,
         },
     },

@@ -2,7 +2,9 @@
 
 use crate::dance_move::{Key, LAST_LAG_S, Move};
 use crate::dance_steps::{Beat, SLOW};
+use crate::dance_tired::{tired, tremble};
 use crate::posture::{Figure, Posture};
+use crate::take::Take;
 
 /// In this share of a move no part goes further than 1 % of its way: it belongs to the hold beside it.
 const STILL: f64 = 0.1;
@@ -10,55 +12,75 @@ const STILL: f64 = 0.1;
 /// The poses with their times.
 pub struct Dance {
     keys: Vec<Key>,
+    trembles: bool,
 }
 
 impl Dance {
     pub fn slow() -> Self {
-        let mut time_s = 0.0;
-        let mut key = |beat: &Beat| {
-            let arrive_s = time_s + beat.move_s;
-            time_s = arrive_s + beat.hold_s;
-            let stands = beat.pose.legs.map(|leg| leg.stand());
-            Key {
-                figure: beat.pose.figure(),
-                stands,
-                arrive_s,
-                leave_s: time_s,
-                dip: beat.dip,
-            }
-        };
         Self {
-            keys: SLOW.iter().map(&mut key).collect(),
+            keys: keys(&SLOW),
+            trembles: false,
         }
     }
 
-    pub fn duration_s(&self) -> f64 {
-        self.keys[self.keys.len() - 1].leave_s
-    }
-
-    /// The holds: no part is further from the pose than 1 % of its way. The two ends of the clip are none.
-    pub fn holds_s(&self) -> Vec<[f64; 2]> {
-        self.keys
-            .windows(3)
-            .map(|keys| hold_s(&keys[0], &keys[1], &keys[2]))
-            .collect()
-    }
-
-    pub fn posture(&self, time_s: f64) -> Posture {
-        self.figure(time_s).posture()
+    /// The same dance by someone who is tired.
+    pub fn tired() -> Self {
+        Self {
+            keys: keys(&SLOW.map(|beat| tired(&beat))),
+            trembles: true,
+        }
     }
 
     fn figure(&self, time_s: f64) -> Figure {
         let last = self.keys.len() - 2;
         let left = self.keys.iter().filter(|key| key.leave_s <= time_s).count();
         let from = left.saturating_sub(1).min(last);
-        Move {
+        let way = Move {
             from: &self.keys[from],
             to: &self.keys[from + 1],
             time_s,
+        };
+        let mut figure = way.carried();
+        if self.trembles {
+            tremble(&mut figure, time_s);
         }
-        .figure()
+        way.stand(&mut figure);
+        figure
     }
+}
+
+impl Take for Dance {
+    fn duration_s(&self) -> f64 {
+        self.keys[self.keys.len() - 1].leave_s
+    }
+
+    fn posture(&self, time_s: f64) -> Posture {
+        self.figure(time_s).posture()
+    }
+
+    /// The holds: no part is further from the pose than 1 % of its way. The two ends of the clip are none.
+    fn keyposes_s(&self) -> Vec<[f64; 2]> {
+        self.keys
+            .windows(3)
+            .map(|keys| hold_s(&keys[0], &keys[1], &keys[2]))
+            .collect()
+    }
+}
+
+fn keys(beats: &[Beat]) -> Vec<Key> {
+    let mut time_s = 0.0;
+    let key = |beat: &Beat| {
+        let arrive_s = time_s + beat.move_s;
+        time_s = arrive_s + beat.hold_s;
+        Key {
+            figure: beat.pose.figure(),
+            stands: beat.pose.legs.map(|leg| leg.stand()),
+            arrive_s,
+            leave_s: time_s,
+            dip: beat.dip,
+        }
+    };
+    beats.iter().map(key).collect()
 }
 
 fn hold_s(before: &Key, key: &Key, after: &Key) -> [f64; 2] {
@@ -84,9 +106,16 @@ mod tests {
         (0..count).map(|frame| frame as f64 * FRAME_S)
     }
 
+    fn both() -> [Dance; 2] {
+        [Dance::slow(), Dance::tired()]
+    }
+
     #[test]
     fn a_foot_that_stays_does_not_slide() {
-        let dance = Dance::slow();
+        both().iter().for_each(assert_no_foot_slides);
+    }
+
+    fn assert_no_foot_slides(dance: &Dance) {
         for pair in dance.keys.windows(2) {
             for (n, foot) in pair[0].figure.feet.iter().enumerate() {
                 let [a, b] = [pair[0].stands[n], pair[1].stands[n]];
@@ -105,8 +134,11 @@ mod tests {
 
     #[test]
     fn legs_that_stand_reach_and_no_foot_is_below_the_ground() {
-        let dance = Dance::slow();
-        for time_s in frames(&dance) {
+        both().iter().for_each(assert_feet_are_on_the_ground);
+    }
+
+    fn assert_feet_are_on_the_ground(dance: &Dance) {
+        for time_s in frames(dance) {
             let figure = dance.figure(time_s);
             for side in Side::BOTH {
                 let foot = &figure.feet[side as usize];
@@ -127,15 +159,25 @@ mod tests {
 
     #[test]
     fn the_body_moves_without_jumps() {
-        let dance = Dance::slow();
+        both().iter().for_each(assert_no_jumps);
+    }
+
+    fn assert_no_jumps(dance: &Dance) {
         let hips = |time_s| dance.figure(time_s).hip_middle;
-        for time_s in frames(&dance).skip(1) {
+        for time_s in frames(dance).skip(1) {
             let bend = hips(time_s + FRAME_S) - 2.0 * hips(time_s) + hips(time_s - FRAME_S);
             assert!(
                 bend.norm() < 12.0 * FRAME_S * FRAME_S,
                 "{} at {time_s} s",
                 bend.norm()
             );
+        }
+    }
+
+    #[test]
+    fn holds_last_from_a_fifth_to_two_fifths_of_a_second() {
+        for [from_s, to_s] in both().iter().flat_map(Take::keyposes_s) {
+            assert!((0.2..=0.4).contains(&(to_s - from_s)), "{from_s} to {to_s}");
         }
     }
 }

@@ -61,7 +61,8 @@ impl Move<'_> {
         minimum_jerk((self.time_share(lag_s) - from) / (to - from))
     }
 
-    pub fn figure(&self) -> Figure {
+    /// The figure before its feet are set: hips, trunk and arms on their way.
+    pub fn carried(&self) -> Figure {
         let (a, b) = (&self.from.figure, &self.to.figure);
         let turn = self.share(EVENLY, 0.0);
         let follow = ARM_LAGS_S.map(|lag_s| self.share(EVENLY, lag_s));
@@ -74,9 +75,13 @@ impl Move<'_> {
             feet: a.feet,
         };
         breathe(&mut figure, self.time_s, detour(self.time_share(0.0)));
-        self.hold_down(&mut figure);
-        figure.feet = Side::BOTH.map(|side| self.foot(&figure, side));
         figure
+    }
+
+    /// Stands it on the ground: the hips as high as the legs let them, then the feet.
+    pub fn stand(&self, figure: &mut Figure) {
+        self.hold_down(figure);
+        figure.feet = Side::BOTH.map(|side| self.foot(figure, side));
     }
 
     fn hip_middle(&self) -> Vector3<f64> {

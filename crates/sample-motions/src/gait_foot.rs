@@ -1,25 +1,31 @@
-//! In: where and when a foot stands. Out: its ankle, tilt and toes at any time of a walk.
+//! In: where and when a foot stands. Out: its ankle, tilt and toes at any time of a walk or of a stance of a run.
 //!
 //! A stance is three rockers: the heel strikes with the toes up and the foot comes down about the heel; it stands
-//! flat; it rises about the ball while the toes stay. A swing joins the ends of two stances with equal position,
-//! velocity and acceleration; only the brake of the heel strike is a jump of the acceleration.
+//! flat; it rises about the ball while the toes stay. A walk's swing joins the ends of two stances with equal
+//! position, velocity and acceleration; only the brake of the heel strike is a jump of the acceleration.
 
 use crate::body::{ANKLE, BALL_FROM_ANKLE, HEEL_FROM_ANKLE};
 use crate::quintic::{End, Quintic, detour};
 use crate::rotation::about_x;
 use nalgebra::Vector3;
 
-const STRIKE_PITCH: f64 = -0.30;
-const STRIKE_PITCH_RATE: f64 = 1.6;
-const HEEL_ROCKER_S: f64 = 0.11;
-const FOREFOOT_ROCKER_S: f64 = 0.30;
-/// Tilt per second as the toes leave, as a multiple of the tilt.
-const OFF_PITCH_RATE: f64 = 5.5;
 /// The mid-swing rise of the ankle above the joining curve, in body heights.
 const SWING_LIFT: f64 = 0.030;
 /// The ground stops the foot so hard, in body heights per second².
 const STRIKE_BRAKE: f64 = 16.0;
 const DIFFERENCE_S: f64 = 1e-3;
+
+/// How a foot rolls over the ground; tilts in radians, positive with the heel above the toes.
+#[derive(Clone, Copy, Debug)]
+pub struct Rockers {
+    pub strike_pitch: f64,
+    /// Radians per second at the strike.
+    pub strike_pitch_rate: f64,
+    pub heel_s: f64,
+    pub forefoot_s: f64,
+    /// Tilt per second as the toes leave, as a multiple of the tilt.
+    pub off_pitch_rate: f64,
+}
 
 /// A time on the ground.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +38,7 @@ pub struct Stance {
     pub z: f64,
     /// Tilt as the toes leave, in radians.
     pub off_pitch: f64,
+    pub rockers: Rockers,
 }
 
 /// Ankle in the world, tilt (positive: heel above toes) and bend of the toes, in radians.
@@ -44,13 +51,14 @@ pub struct FootPlace {
 
 impl Stance {
     fn pitch(&self, time_s: f64) -> f64 {
-        let flat_s = self.strike_s + HEEL_ROCKER_S;
-        let rise_s = self.off_s - FOREFOOT_ROCKER_S;
+        let rockers = &self.rockers;
+        let flat_s = self.strike_s + rockers.heel_s;
+        let rise_s = self.off_s - rockers.forefoot_s;
         if time_s < flat_s {
-            let strike = End::moving(STRIKE_PITCH, STRIKE_PITCH_RATE);
+            let strike = End::moving(rockers.strike_pitch, rockers.strike_pitch_rate);
             Quintic::new(self.strike_s, strike, flat_s, End::at_rest(0.0)).at(time_s)
         } else if time_s > rise_s {
-            let off = End::moving(self.off_pitch, OFF_PITCH_RATE * self.off_pitch);
+            let off = End::moving(self.off_pitch, rockers.off_pitch_rate * self.off_pitch);
             Quintic::new(rise_s, End::at_rest(0.0), self.off_s, off).at(time_s)
         } else {
             0.0
@@ -58,7 +66,7 @@ impl Stance {
     }
 
     /// The foot as it stands; also a little before and after the stance.
-    fn place(&self, time_s: f64) -> FootPlace {
+    pub fn place(&self, time_s: f64) -> FootPlace {
         let pitch = self.pitch(time_s);
         let pivot = if pitch < 0.0 {
             HEEL_FROM_ANKLE
@@ -81,17 +89,33 @@ pub struct FootTrack {
     pub stances: Vec<Stance>,
 }
 
+/// What a foot does at a time.
+#[derive(Clone, Copy, Debug)]
+pub enum Phase<'a> {
+    Stands(&'a Stance),
+    /// From one stance to the next.
+    Swings(&'a Stance, &'a Stance),
+}
+
 impl FootTrack {
-    pub fn place(&self, time_s: f64) -> FootPlace {
+    pub fn phase(&self, time_s: f64) -> Phase<'_> {
         let next = self.stances.iter().position(|stance| stance.off_s > time_s);
         let Some(next) = next else {
-            return self.stances[self.stances.len() - 1].place(time_s);
+            return Phase::Stands(&self.stances[self.stances.len() - 1]);
         };
         let to = &self.stances[next];
         if time_s >= to.strike_s || next == 0 {
-            return to.place(time_s);
+            return Phase::Stands(to);
         }
-        swing(&self.stances[next - 1], to, time_s)
+        Phase::Swings(&self.stances[next - 1], to)
+    }
+
+    /// The foot of a walk.
+    pub fn place(&self, time_s: f64) -> FootPlace {
+        match self.phase(time_s) {
+            Phase::Stands(stance) => stance.place(time_s),
+            Phase::Swings(from, to) => swing(from, to, time_s),
+        }
     }
 }
 
@@ -112,7 +136,8 @@ fn swing(from: &Stance, to: &Stance, time_s: f64) -> FootPlace {
     }
 }
 
-fn end_of(value: impl Fn(f64) -> f64, time_s: f64) -> End {
+/// Position, velocity and acceleration of a smooth value at a time.
+pub fn end_of(value: impl Fn(f64) -> f64, time_s: f64) -> End {
     let [before, position, after] =
         [-DIFFERENCE_S, 0.0, DIFFERENCE_S].map(|step| value(time_s + step));
     End {
@@ -134,6 +159,13 @@ mod tests {
             x: 0.04,
             z,
             off_pitch: 1.0,
+            rockers: Rockers {
+                strike_pitch: -0.3,
+                strike_pitch_rate: 1.6,
+                heel_s: 0.11,
+                forefoot_s: 0.3,
+                off_pitch_rate: 5.5,
+            },
         };
         FootTrack {
             stances: vec![stance(0.0, 0.0), stance(1.1, 0.8)],

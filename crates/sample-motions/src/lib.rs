@@ -15,6 +15,7 @@ mod dance;
 mod dance_move;
 mod dance_pose;
 mod dance_steps;
+mod dance_tired;
 mod euler;
 mod gait_foot;
 mod leg_ik;
@@ -25,7 +26,10 @@ mod rig_hik;
 mod rig_poser;
 mod rig_vrm;
 mod rotation;
+mod run;
+mod run_swing;
 mod sample;
+mod take;
 mod walk;
 
 pub use catalogue::{Entry, catalogue};

@@ -5,10 +5,11 @@
 
 use crate::arm::Arm;
 use crate::body::Side;
-use crate::gait_foot::{FootTrack, Stance};
+use crate::gait_foot::{FootTrack, Rockers, Stance};
 use crate::posture::{Bend, Figure, Foot, Posture};
 use crate::quintic::{End, Quintic, minimum_jerk};
 use crate::rotation::{about_x, about_y, about_z};
+use crate::take::Take;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -24,6 +25,13 @@ const DOUBLE_SUPPORT_S: f64 = 0.12;
 const FOOT_X: f64 = 0.042;
 const TURN_OUT: f64 = 0.10;
 const OFF_PITCH: f64 = 1.02;
+const ROCKERS: Rockers = Rockers {
+    strike_pitch: -0.30,
+    strike_pitch_rate: 1.6,
+    heel_s: 0.11,
+    forefoot_s: 0.30,
+    off_pitch_rate: 5.5,
+};
 /// The pelvis is behind the ankle that strikes by this part of a step.
 const STRIKE_LEAD: f64 = 0.46;
 const HIP_HEIGHT: f64 = 0.5435;
@@ -51,20 +59,6 @@ impl Walk {
             feet: Side::BOTH.map(foot_track),
             start,
         }
-    }
-
-    /// The clip ends in the middle of a step.
-    pub fn duration_s(&self) -> f64 {
-        strike_s(STEPS) - 0.4 * STEP_S
-    }
-
-    /// Times of the heel strikes.
-    pub fn strikes_s(&self) -> Vec<f64> {
-        (0..STEPS).map(strike_s).collect()
-    }
-
-    pub fn posture(&self, time_s: f64) -> Posture {
-        self.figure(time_s).posture()
     }
 
     fn figure(&self, time_s: f64) -> Figure {
@@ -115,6 +109,22 @@ impl Walk {
     }
 }
 
+impl Take for Walk {
+    /// The clip ends in the middle of a step.
+    fn duration_s(&self) -> f64 {
+        strike_s(STEPS) - 0.4 * STEP_S
+    }
+
+    fn posture(&self, time_s: f64) -> Posture {
+        self.figure(time_s).posture()
+    }
+
+    /// The heel strikes.
+    fn keyposes_s(&self) -> Vec<[f64; 2]> {
+        (0..STEPS).map(|step| [strike_s(step); 2]).collect()
+    }
+}
+
 fn strike_s(step: usize) -> f64 {
     FIRST_STRIKE_S + step as f64 * STEP_S
 }
@@ -139,6 +149,7 @@ fn foot_track(side: Side) -> FootTrack {
         x,
         z: 0.0,
         off_pitch,
+        rockers: ROCKERS,
     }];
     stances.extend((first..STEPS + 2).step_by(2).map(|step| Stance {
         strike_s: strike_s(step),
@@ -146,6 +157,7 @@ fn foot_track(side: Side) -> FootTrack {
         x,
         z: FIRST_STEP_LENGTH + step as f64 * STEP_LENGTH,
         off_pitch: OFF_PITCH,
+        rockers: ROCKERS,
     }));
     FootTrack { stances }
 }
