@@ -81,7 +81,7 @@ test('unpacks an archive in a worker', async ({ page }) => {
 test('names the file whose worker dies, and goes on with a new one', async ({ page }) => {
   await page.goto(`${served.address}?workers=1`);
   const samples = await page.evaluate(() => window.engine.samples());
-  expect(samples).toHaveLength(2);
+  expect(samples).toHaveLength(4);
   await page.route('**/worker-*.js', (route) => route.abort());
   await page.reload();
   const open = (id: number) =>

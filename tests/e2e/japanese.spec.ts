@@ -63,7 +63,7 @@ test('the switch turns every view to Japanese and back, and stays', async ({ app
   await page.getByRole('button', { name: '日本語' }).click();
   await expect(page.locator('html')).toHaveAttribute('lang', 'ja');
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('動きのキーポーズが見える。');
-  await expect(page.locator('.sample-open')).toHaveCount(2);
+  await expect(page.locator('.sample-open')).toHaveCount(4);
   await expectNoEnglish(page);
 
   const broken = writeFiles(temporaryFolder(), { 'broken.bvh': withShortRow('walk-hik-30').text });

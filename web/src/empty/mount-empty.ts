@@ -2,40 +2,40 @@
 import { signal } from '@preact/signals-core';
 import type { Context } from '../app/context';
 import { mount } from '../common/mount';
-import type { SampleInfo } from '../engine/types';
 import { emptyPage } from './empty-page';
-import { drawSample, type SamplePicture } from './sample-picture';
+import { drawSample, sampleMotions, type SamplePicture } from './sample-picture';
 
-interface Samples {
-  readonly infos: readonly SampleInfo[];
-  readonly pictures: readonly SamplePicture[];
-}
+/** Until the drop zone has been measured. */
+const usualWidth = 1080;
 
 export function mountEmpty(
   place: HTMLElement,
   { engine, actions, picker, language, store }: Context,
 ): void {
-  const samples = signal<Samples>({ infos: [], pictures: [] });
+  const pictures = signal<readonly SamplePicture[]>([]);
+  const width = signal(usualWidth);
   mount(place, () =>
     emptyPage({
       words: language.words.value,
-      samples: samples.value.infos,
-      pictures: samples.value.pictures,
+      pictures: pictures.value,
+      width: width.value,
       onFiles: () => picker.files(),
       onFolder: () => picker.folder(),
       onSample: (id) => actions.openSample(id),
     }),
   );
+  new ResizeObserver(() => {
+    // Zero while the study is shown.
+    const measured = place.querySelector('.drop-zone')?.clientWidth ?? 0;
+    if (measured > 0) width.value = measured;
+  }).observe(place);
 
   const draw = async (): Promise<void> => {
-    const infos = await engine.samples();
-    samples.value = { infos, pictures: [] };
-    for (const motion of ['slow-dance', 'walk'] as const) {
-      const info = infos.find((known) => known.motion === motion);
+    for (const motion of sampleMotions) {
       // The person's own files go first.
-      if (!info || store.clips.peek().length > 0) return;
-      const picture = await drawSample(engine, info);
-      if (picture) samples.value = { infos, pictures: [...samples.peek().pictures, picture] };
+      if (store.clips.peek().length > 0) return;
+      const picture = await drawSample(engine, motion);
+      if (picture) pictures.value = [...pictures.peek(), picture];
     }
   };
   // Without its pictures the page does all it can do; opening a sample tells what is wrong.

@@ -1,7 +1,15 @@
-/** A sample of the generator in; what the empty page draws of it out: its speed, its keyposes as figures. */
+/** A sample motion in; what the empty page draws of it out: its speed, its keyposes as figures. */
 import { keyposeFrames } from '../app/clips';
 import type { ClipId, Engine, KeyposeResult, SampleInfo } from '../engine/types';
 import { flatFigure, type FlatFigure } from '../figure/flat-figure';
+
+/** In the order in which they are offered; the generator's ids. */
+export const sampleMotions = [
+  'slow-dance',
+  'tired-dance',
+  'walk',
+  'run',
+] as const satisfies readonly SampleInfo['motion'][];
 
 export interface SamplePicture {
   readonly motion: SampleInfo['motion'];
@@ -14,9 +22,12 @@ export interface SamplePicture {
 /** Ids below zero never meet those of the library. */
 let nextId: ClipId = -1;
 
-export async function drawSample(engine: Engine, info: SampleInfo): Promise<SamplePicture | null> {
+export async function drawSample(
+  engine: Engine,
+  motion: SampleInfo['motion'],
+): Promise<SamplePicture | null> {
   const id = nextId--;
-  const result = await engine.open(id, await engine.sample(info.id), {}, {});
+  const result = await engine.open(id, await engine.sample(motion), {}, {});
   try {
     const performer = result.performers[0];
     if (!performer?.keyposes) return null;
@@ -30,7 +41,7 @@ export async function drawSample(engine: Engine, info: SampleInfo): Promise<Samp
         performer.sideYawRad,
       );
     return {
-      motion: info.motion,
+      motion,
       keyposes: performer.keyposes,
       frames,
       figures: Array.from(frames, figure),

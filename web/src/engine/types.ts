@@ -261,7 +261,7 @@ export type ExportKind =
 
 export interface SampleInfo {
   readonly id: string;
-  readonly motion: 'slow-dance' | 'walk';
+  readonly motion: 'slow-dance' | 'tired-dance' | 'walk' | 'run';
   readonly fileName: string;
 }
 
