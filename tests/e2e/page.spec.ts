@@ -45,8 +45,8 @@ test('under a path of a host that is nothing but a folder of files', async ({ ap
 test('the samples of the empty page open and play', async ({ app, page }) => {
   await app.open();
   const cards = page.locator('.sample-open');
-  await expect(cards).toHaveCount(2);
-  await expect(cards.first()).toContainText(/A slow dance\s*held poses, \d+ keyposes/);
+  await expect(cards).toHaveCount(4);
+  await expect(cards.first()).toContainText(/A slow dance\s*\d+ keyposes, where it holds still/);
   await cards.nth(1).click();
   await app.settled();
   await expect(app.section('Result')).toContainText(/\d+ keyposes/);
