@@ -94,7 +94,7 @@ mod tests {
         };
         assert_eq!(yaw(&[along_x]), 0.0);
         assert_eq!(yaw(&[along_z]), core::f64::consts::FRAC_PI_2);
-        assert_eq!(yaw(&[along_x, along_x, along_z]), 0.0);
+        assert_eq!(yaw(&[along_x, along_z]), core::f64::consts::FRAC_PI_4);
         assert_eq!(yaw(&[]), 0.0);
     }
 

@@ -8,6 +8,7 @@ use crate::hodrick_prescott::{LaneFilter, Repeated, Solution, lambda_of_cutoff};
 
 /// Levels that are filtered together.
 pub const LEVELS: usize = 4;
+/// Lanes of their filter.
 pub const LANES: usize = 2 * LEVELS;
 
 /// The scales of `options` below half the rate, from fine to coarse, in Hz.
