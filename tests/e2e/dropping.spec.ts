@@ -57,8 +57,9 @@ test('a folder: every motion at any depth, more than a hundred, and nothing else
   await app.field('Filter by name').fill('踊り');
   await app.expectNames('踊り.BVH');
   await app.row('踊り.BVH').getByRole('button').first().click();
-  await expect(app.section('Recording')).toContainText('dances/deep/er');
   await expect(app.section('Result')).toContainText('13 keyposes');
+  await app.tab('Doctor');
+  await expect(app.section('Recording')).toContainText('dances/deep/er');
 });
 
 test('a folder and files without a motion are told, and leave the page as it was', async ({
@@ -89,6 +90,7 @@ test('a .zip: its motions with their folders, and no row for what else is in it'
   await app.expectNames('walk.bvh', '踊り.bvh');
   await expect(page.locator('.clip.ready')).toHaveCount(2);
   await app.row('踊り.bvh').getByRole('button').first().click();
+  await app.tab('Doctor');
   await expect(app.section('Recording')).toContainText('set/舞');
 });
 
@@ -163,6 +165,7 @@ test('the buttons of the empty page pick files and a folder', async ({ app, page
   await (await choosing).setFiles(join(folder, 'set'));
   await app.settled();
   await app.expectNames('walk.bvh');
+  await app.tab('Doctor');
   await expect(app.section('Recording')).toContainText('set/inner');
   await app.button('Add motions').click();
   const adding = page.waitForEvent('filechooser');

@@ -17,8 +17,9 @@ const inUnits = (value: number): string => `${english(value, digitsFor(value))} 
 async function expectResult(app: AppPage, report: Report): Promise<void> {
   const { keyposes, candidates, clusters, anova, sureness } = report;
   const zero = candidates.filter(({ intensity }) => intensity === 0).length;
+  await app.tab('Method');
   const result = app.section('Result');
-  await expect(result.locator('strong')).toHaveText(`${keyposes.length} keyposes`);
+  await expect(result.locator('.result-count')).toHaveText(`${keyposes.length} keyposes`);
   await expect(result).toContainText(
     `${candidates.length} candidates, ${zero} of zero intensity, in ${clusters} cluster${clusters === 1 ? '' : 's'}.`,
   );
@@ -30,11 +31,12 @@ async function expectResult(app: AppPage, report: Report): Promise<void> {
       : new RegExp(
           `cut ${sureness < 1.5 ? 'uncertain' : 'clear'} \\(${english(sureness, 1).replace('.', '\\.')}\\)`,
         );
-  await expect(result.locator('.beside')).toHaveText(cut);
+  await expect(result.locator('.sureness')).toHaveText(cut);
 }
 
 async function expectRecording(app: AppPage, report: Report): Promise<void> {
   const { frames, frame_time_s: step, frame_rate_hz: rate } = report;
+  await app.tab('Doctor');
   const recording = app.section('Recording');
   await expect(recording).toContainText(
     `${english(frames, 0)} · ${english((frames - 1) * step, 1)} s`,
@@ -44,38 +46,61 @@ async function expectRecording(app: AppPage, report: Report): Promise<void> {
   await expect(recording.getByLabel('Leading frames left out', { exact: true })).toHaveValue(
     String(report.leading_rest_frames),
   );
-  await expect(
-    recording.getByLabel('Up axis', { exact: true }).locator('option').first(),
-  ).toHaveText(`${report.up.replace('-', '−')} automatic`);
 }
 
-async function expectBody(app: AppPage, { body, ground_height: ground }: Report): Promise<void> {
-  const section = app.section('Body');
+async function expectBody(
+  app: AppPage,
+  { up, body, ground_height: ground }: Report,
+): Promise<void> {
+  await app.tab('Body');
+  const measures = app.section('Measures');
   const fact = (name: string) =>
-    section.locator('.fact').filter({ hasText: name }).locator('dd').first();
+    measures.locator('.fact').filter({ hasText: name }).locator('dd').first();
   await expect(fact('Body height')).toContainText(inUnits(body.height));
   await expect(fact('Ground')).toHaveText(inUnits(ground));
-  await expect(fact('Pelvis')).toHaveText(body.pelvis);
-  const rows = await section.locator('tbody tr').evaluateAll((all) =>
-    all.map((row) => ({
-      role: row.querySelector('th')?.textContent.trim().toLowerCase().replace(' ', '_') ?? '',
-      joint: row.querySelector('td')?.title ?? '',
-      source: row.querySelector<HTMLElement>('.joint-source')?.title ?? '',
-    })),
-  );
+  await expect(
+    measures.getByLabel('Up axis', { exact: true }).locator('option').first(),
+  ).toHaveText(`${up.replace('-', '−')} automatic`);
+  const rows = await app
+    .section('16 joints')
+    .locator('tbody tr')
+    .evaluateAll((all) =>
+      all.map((row) => ({
+        role: row.querySelector('th')?.textContent.trim().toLowerCase().replace(' ', '_') ?? '',
+        joint: row.querySelector('td')?.title ?? '',
+        source: row.querySelector<HTMLElement>('.joint-source')?.title ?? '',
+      })),
+    );
   const sources: Record<string, string> = {
     name: 'by name',
     shape: 'by shape',
     fallback: 'replaced',
   };
-  expect(rows).toEqual(
-    body.joints.map(({ role, joint, source }) => ({ role, joint, source: sources[source] })),
-  );
+  const joints = body.joints.map(({ role, joint, source }) => ({
+    role,
+    joint,
+    source: sources[source] ?? '',
+  }));
+  const byRole = (a: { role: string }, b: { role: string }): number => (a.role < b.role ? -1 : 1);
+  const pelvis = { role: 'pelvis', joint: body.pelvis, source: '' };
+  expect(rows.sort(byRole)).toEqual([...joints, pelvis].sort(byRole));
 }
 
 async function expectNotes(app: AppPage, { notes }: Report): Promise<void> {
-  const shown = await app.section('Notes').locator('.note p').allInnerTexts();
-  expect(shown.sort()).toEqual(notes.map(({ message }) => message).sort());
+  await app.tab('Doctor');
+  const shown = await app
+    .section('Notes')
+    .locator('.note')
+    .evaluateAll((all) =>
+      all.map((note) => {
+        const text = (name: string): string =>
+          note.querySelector(`.note-${name}`)?.textContent ?? '';
+        return text('assumed') ? `${text('what')}; ${text('assumed')}` : `${text('what')}.`;
+      }),
+    );
+  const plain = (texts: readonly string[]): string[] =>
+    texts.map((one) => one.toLowerCase()).sort();
+  expect(plain(shown)).toEqual(plain(notes.map(({ message }) => message)));
 }
 
 async function expectShown(app: AppPage, path: string): Promise<void> {

@@ -32,8 +32,7 @@ export class AppPage {
 
   /** Nothing is being read any more, and there are rows. */
   async settled(): Promise<void> {
-    // Attached, not visible: in a narrow window the library is a closed drawer.
-    await expect(this.rows.first()).toBeAttached();
+    await expect(this.rows.first()).toBeVisible();
     await expect(this.page.locator('.progress-card')).toHaveCount(0);
     await expect(this.page.locator('.clip progress')).toHaveCount(0);
     await expect(this.page.locator('.outdated')).toHaveCount(0);
@@ -75,7 +74,14 @@ export class AppPage {
     return this.page.locator('.stage-caption');
   }
 
-  /** The section of the side panel with this title. */
+  /** Chooses a tab of the side panel, in English or in Japanese. */
+  async tab(name: string): Promise<void> {
+    const tab = this.page.getByRole('tab', { name: new RegExp(`^${name}`) });
+    await tab.click();
+    await expect(tab).toHaveAttribute('aria-selected', 'true');
+  }
+
+  /** The section of the chosen tab with this title. */
   section(title: string): Locator {
     return this.page.getByRole('region', { name: title, exact: true });
   }

@@ -3,13 +3,14 @@ import { batch } from '@preact/signals-core';
 import type { ClipId, ClipSource, Engine, ExportKind, MethodOptions } from '../engine/types';
 import { saveBlob, saveText } from '../common/save-file';
 import { createAnalysis } from './analysis';
-import { decisionLabels, withDecision, type DecisionChange } from './decisions';
+import { decisionLabels, withDecision, type DecisionChange, type JointsChange } from './decisions';
 import { failureOf } from './failure';
 import type { History } from './history';
 import type { Words } from './i18n/catalogue';
 import type { Given } from './intake';
 import { createLoader } from './loading';
 import { createOpener } from './opening';
+import { createOptionChanges, type OptionKey } from './option-changes';
 import { toastOfReport } from './report';
 import { patchClip, type Store } from './store';
 
@@ -27,8 +28,10 @@ export interface Actions {
     key: Key,
     value: MethodOptions[Key] | undefined,
   ) => void;
-  /** Every parameter back to its default. */
-  readonly resetOptions: () => void;
+  /** The same joints for several clips of one skeleton, undone together. */
+  readonly decideJoints: (changes: readonly JointsChange[]) => void;
+  /** Parameters back to their defaults in one step; without a list, every one. */
+  readonly resetOptions: (keys?: readonly OptionKey[]) => void;
   readonly exportClip: (id: ClipId, kind: ExportKind) => void;
   /** The stage as it stands, a PNG named after clip and frame. */
   readonly savePicture: () => void;
@@ -61,11 +64,13 @@ class PageActions implements Actions {
   private readonly analysis;
   private readonly loader;
   private readonly opener;
+  private readonly options;
 
   constructor(parts: ActionParts) {
     const { engine, store } = parts;
     this.parts = parts;
     this.analysis = createAnalysis(engine, store, (name, error) => this.tellError(name, error));
+    this.options = createOptionChanges(parts, this.analysis, () => performance.now());
     this.opener = createOpener(store, (id) => this.openClip(id));
     this.loader = createLoader({
       engine,
@@ -150,17 +155,31 @@ class PageActions implements Actions {
     });
   }
 
+  decideJoints(changes: readonly JointsChange[]): void {
+    const { store, history, words } = this.parts;
+    const both = changes.flatMap(({ id, joints }) => {
+      const before = store.clips.peek()[id]?.decisions;
+      if (!before) return [];
+      const value = joints.length === 0 ? undefined : joints;
+      return [{ id, before, after: withDecision(before, { key: 'joints', value }) }];
+    });
+    if (both.length === 0) return;
+    history.run({
+      label: words().t(decisionLabels.joints),
+      apply: () => both.forEach(({ id, after }) => this.analysis.decide(id, after)),
+      revert: () => both.forEach(({ id, before }) => this.analysis.decide(id, before)),
+    });
+  }
+
   setOption<Key extends keyof MethodOptions>(
     key: Key,
     value: MethodOptions[Key] | undefined,
   ): void {
-    const { [key]: before, ...others } = this.parts.store.options.peek();
-    if (before === value) return;
-    this.changeOptions(value === undefined ? others : { ...others, [key]: value });
+    this.options.set(key, value);
   }
 
-  resetOptions(): void {
-    if (Object.keys(this.parts.store.options.peek()).length > 0) this.changeOptions({});
+  resetOptions(keys?: readonly OptionKey[]): void {
+    this.options.reset(keys);
   }
 
   exportClip(id: ClipId, kind: ExportKind): void {
@@ -198,16 +217,6 @@ class PageActions implements Actions {
   redo(): void {
     this.parts.store.toast.value = null;
     this.parts.history.redo();
-  }
-
-  private changeOptions(after: MethodOptions): void {
-    const { store, history, words } = this.parts;
-    const before = store.options.peek();
-    history.run({
-      label: words().t('change.options'),
-      apply: () => this.analysis.setOptions(after),
-      revert: () => this.analysis.setOptions(before),
-    });
   }
 
   /** Out of the library; an open clip gives its place to its neighbour. */

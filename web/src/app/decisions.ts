@@ -1,5 +1,5 @@
 /** One decision about a clip as a change that can be undone; what is absent is automatic. */
-import type { ClipId, Decisions } from '../engine/types';
+import type { ClipId, Decisions, JointDecision } from '../engine/types';
 import type { MessageKey } from './i18n/catalogue';
 
 export type DecisionKey = keyof Decisions;
@@ -18,6 +18,12 @@ export interface DecisionChange {
   readonly key: DecisionKey;
   /** undefined: back to automatic. */
   readonly value: Decisions[DecisionKey] | undefined;
+}
+
+/** The joints that a person named in one clip; none: all as found. */
+export interface JointsChange {
+  readonly id: ClipId;
+  readonly joints: readonly JointDecision[];
 }
 
 export function withDecision(

@@ -16,6 +16,8 @@ export interface Change {
 export interface History {
   /** Applies a change and remembers it; what had been undone is forgotten. */
   readonly run: (change: Change) => void;
+  /** Applies a change that goes on from the newest one: both are undone together. */
+  readonly amend: (change: Omit<Change, 'revert'>) => void;
   readonly undo: () => void;
   readonly redo: () => void;
   readonly next: ReadonlySignal<{
@@ -41,6 +43,13 @@ export function createHistory(limit = historyLimit): History {
       change.apply();
       undone.value = [];
       remember(change);
+    },
+    amend(change) {
+      const newest = done.value.at(-1);
+      if (!newest) return;
+      change.apply();
+      undone.value = [];
+      done.value = [...done.value.slice(0, -1), { ...newest, ...change }];
     },
     undo() {
       const change = done.value.at(-1);

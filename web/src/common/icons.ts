@@ -1,6 +1,8 @@
 /** Names in; icons out: Lucide's (ISC licence) and our own three, drawn once into a sheet of symbols. */
 import { html, type TemplateResult } from 'lit-html';
 import {
+  ArrowDown,
+  ArrowUp,
   ArrowUpDown,
   Check,
   ChevronDown,
@@ -8,8 +10,8 @@ import {
   ChevronRight,
   CircleCheck,
   CircleQuestionMark,
+  Copy,
   Download,
-  Ellipsis,
   FileUp,
   Focus,
   FolderOpen,
@@ -41,6 +43,7 @@ import {
   TriangleAlert,
   Undo2,
   UnfoldHorizontal,
+  Waypoints,
   X,
   ZoomIn,
   ZoomOut,
@@ -51,14 +54,16 @@ const svgNamespace = 'http://www.w3.org/2000/svg';
 const disc = { fill: 'currentColor', stroke: 'none' };
 
 const shapes = {
+  'arrow-down': ArrowDown,
+  'arrow-up': ArrowUp,
   'arrow-up-down': ArrowUpDown,
   check: Check,
   'chevron-down': ChevronDown,
   'chevron-left': ChevronLeft,
   'chevron-right': ChevronRight,
   'circle-check': CircleCheck,
+  copy: Copy,
   download: Download,
-  ellipsis: Ellipsis,
   'file-up': FileUp,
   focus: Focus,
   'folder-open': FolderOpen,
@@ -91,6 +96,7 @@ const shapes = {
   'triangle-alert': TriangleAlert,
   undo: Undo2,
   'unfold-horizontal': UnfoldHorizontal,
+  waypoints: Waypoints,
   x: X,
   'zoom-in': ZoomIn,
   'zoom-out': ZoomOut,

@@ -1,60 +1,31 @@
-/** Whose body it is, how large, and which joint of the file stands for which part of it. */
+/** Whose body it is, how large, how it stands, and which joint of the file stands for which part of it. */
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Words } from '../app/i18n/catalogue';
-import { splitName } from '../app/names';
 import { icon } from '../common/icons';
-import type { BodyJoint, PerformerResult } from '../engine/types';
+import type { BodyJoint, PerformerResult, Role } from '../engine/types';
+import { bodyFigure, plainFigure } from './body-figure';
+import { unitRow, upAxisRow, type ClipSettingsProps } from './clip-settings';
+import type { JointCopies, JointRole } from './joint-choices';
+import { jointFieldId, jointTable } from './joint-table';
 import { fact, section } from './section';
 
-const sideOf = ({ role }: BodyJoint): string =>
-  role.startsWith('left') ? 'left' : role.startsWith('right') ? 'right' : 'trunk';
-
-function jointRow({ t }: Words, joint: BodyJoint, label: string): TemplateResult {
-  const [head, tail] = splitName(label);
-  const source = t(`source.${joint.source}`);
-  return html`<tr>
-    <th scope="row"><i class="side-dot side-${sideOf(joint)}"></i>${t(`role.${joint.role}`)}</th>
-    <td title=${label}>
-      <span class="joint-name"
-        ><span class="name-head">${head}</span><span class="name-tail">${tail}</span></span
-      >
-    </td>
-    <td class="joint-source" title=${source}>
-      ${joint.source === 'name' ? html`${icon('check', 13)}<span class="spoken">${source}</span>` : source}
-    </td>
-  </tr>`;
-}
-
-function jointTable(words: Words, { body, skeleton }: PerformerResult): TemplateResult {
-  const { t } = words;
-  return html`<table class="joints">
-    <colgroup>
-      <col class="joint-role" />
-      <col />
-      <col class="joint-found" />
-    </colgroup>
-    <thead class="spoken">
-      <tr>
-        <th scope="col">${t('body.role')}</th>
-        <th scope="col">${t('body.joint')}</th>
-        <th scope="col">${t('body.source')}</th>
-      </tr>
-    </thead>
-    <tbody>
-      ${body.joints.map((joint) => jointRow(words, joint, skeleton.labels[joint.joint] ?? ''))}
-    </tbody>
-  </table>`;
+export interface BodyProps extends ClipSettingsProps {
+  readonly performerIndex: number;
+  readonly pointed: Role | null;
+  readonly copies: JointCopies;
+  readonly onPoint: (role: Role | null) => void;
+  readonly onJoint: (role: JointRole, joint: number | null) => void;
+  readonly onCopy: () => void;
 }
 
 function sources({ t, format }: Words, joints: readonly BodyJoint[]): string {
-  const count = (...wanted: readonly BodyJoint['source'][]): number =>
-    joints.filter(({ source }) => wanted.includes(source)).length;
-  if (joints.length === 0) return '';
+  const count = (wanted: BodyJoint['source']): number =>
+    joints.filter(({ source }) => source === wanted).length;
   if (count('name') === joints.length) return t('body.sources.name');
-  return t(
-    'body.sources.mixed',
-    ...[count('name'), count('shape'), count('fallback', 'user')].map(format.integer),
-  );
+  const counts = (['name', 'shape', 'fallback', 'user'] as const)
+    .filter((source) => count(source) > 0)
+    .map((source) => t('body.sources.one', format.integer(count(source)), t(`source.${source}`)));
+  return counts.join(t('join.list'));
 }
 
 /** Digits enough to tell bodies apart in any unit. */
@@ -68,17 +39,77 @@ function heightText({ t, format }: Words, { body, unit }: PerformerResult): stri
     : t('recording.in-file', height);
 }
 
-export function bodySection(words: Words, performer: PerformerResult): TemplateResult {
+function figureSection(props: BodyProps): TemplateResult {
+  const { words, performer, clip, performerIndex, pointed, onPoint } = props;
+  const { t } = words;
+  const { kind, joints } = performer.body;
+  const { thumbnail } = clip;
+  const isPrincipal = ({ role }: BodyJoint): boolean => !role.endsWith('_hip');
+  const human = (): TemplateResult =>
+    bodyFigure({
+      words,
+      joints: joints.filter((joint) => isPrincipal(joint) || joint.role === pointed),
+      pointed,
+      onPoint,
+      onChoose: (role) => document.getElementById(jointFieldId(role))?.focus(),
+    });
+  const other = (): TemplateResult =>
+    html`${thumbnail && performerIndex === 0 ? plainFigure(words, thumbnail) : nothing}
+      <p class="quiet">${t('body.other.about')}</p>`;
+  return section({
+    label: t('body.title'),
+    beside: t(kind === 'human' ? 'body.human' : 'body.other'),
+    body: joints.length > 0 ? human() : other(),
+  });
+}
+
+function copyButton({ words: { t }, clip, performerIndex, copies, onCopy }: BodyProps): unknown {
+  const decided = clip.decisions.joints?.some(({ performer }) => performer === performerIndex);
+  if (copies.clips === 0 || (!decided && copies.changes.length === 0)) return nothing;
+  return html`<button
+    type="button"
+    class="button line wide"
+    ?disabled=${copies.changes.length === 0}
+    @click=${onCopy}
+  >
+    ${icon('copy', 14)}${t('body.copy', copies.clips)}
+  </button>`;
+}
+
+function jointsSection(props: BodyProps): TemplateResult {
+  const { words, performer, clip, performerIndex, pointed, onPoint, onJoint } = props;
+  const pelvisByHand = (clip.decisions.joints ?? []).some(
+    (one) => one.performer === performerIndex && one.role === 'pelvis',
+  );
+  const basis = `${clip.id} ${performerIndex}`;
+  const table = { words, performer, basis, pelvisByHand, pointed, onPoint, onJoint };
+  const principal = performer.body.joints.filter(({ role }) => !role.endsWith('_hip'));
+  return section({
+    label: words.t('body.joints.title'),
+    beside: clip.outdated ? words.t('result.updating') : sources(words, principal),
+    body: html`${jointTable(table)}${copyButton(props)}`,
+    outdated: clip.outdated,
+  });
+}
+
+function measuresSection(props: BodyProps): TemplateResult {
+  const { words, performer } = props;
   const { t, format } = words;
   const { body, skeleton, groundHeight } = performer;
   const ground = t('recording.in-file', format.decimal(groundHeight, digitsFor(groundHeight)));
   const facts = html`<dl class="facts">
-    ${fact(t('body.kind'), t(body.kind === 'human' ? 'body.human' : 'body.other'))}
     ${fact(t('body.height'), heightText(words, performer))} ${fact(t('recording.ground'), ground)}
-    ${body.kind === 'human' ? fact(t('body.pelvis'), skeleton.labels[body.pelvis] ?? '') : nothing}
+    ${body.kind === 'human' ? nothing : fact(t('body.all-joints'), format.integer(skeleton.labels.length))}
   </dl>`;
-  const table = body.joints.length > 0 ? jointTable(words, performer) : nothing;
-  const beside =
-    body.joints.length > 0 ? sources(words, body.joints) : t('body.joints', skeleton.labels.length);
-  return section(t('body.title'), beside, html`${facts}${table}`);
+  return section({
+    label: t('body.measures'),
+    title: false,
+    body: html`${upAxisRow(props)}${unitRow(props)}${facts}`,
+  });
+}
+
+export function body(props: BodyProps): TemplateResult {
+  const human = props.performer.body.joints.length > 0;
+  return html`${figureSection(props)} ${human ? jointsSection(props) : nothing}
+  ${measuresSection(props)}`;
 }

@@ -1,56 +1,78 @@
-/** The side panel: result, recording, notes, body; below them, always in sight, what can be taken away. */
+/** The side panel: tabs, whose motion it is where there are several, and what the chosen tab holds. */
 import { html, nothing, type TemplateResult } from 'lit-html';
-import type { Clip } from '../app/clips';
-import type { DecisionKey } from '../app/decisions';
-import type { Words } from '../app/i18n/catalogue';
-import { icon } from '../common/icons';
-import type { Decisions, ExportKind } from '../engine/types';
-import { bodySection } from './body';
-import { notesSection } from './notes';
-import { recordingSection } from './recording';
+import type { InspectorTab } from '../app/store';
+import type { ClipResult } from '../engine/types';
+import { body, type BodyProps } from './body';
+import { doctor, type DoctorProps } from './doctor';
+import { exportSection, type ExportProps } from './export';
+import { methodSection, type MethodProps } from './method';
 import { resultSection } from './result';
+import { choiceField, settingRow } from './setting-row';
+import { inspectorTabs, panelId, tabId, tabList } from './tabs';
+import { whySection, type WhyProps } from './why';
 
-export interface InspectorProps {
-  readonly words: Words;
-  readonly clip: Clip;
-  readonly performerIndex: number;
-  readonly onDecide: (key: DecisionKey, value: Decisions[DecisionKey] | undefined) => void;
+export interface InspectorProps
+  extends
+    BodyProps,
+    DoctorProps,
+    ExportProps,
+    Omit<MethodProps, 'defaults'>,
+    Omit<WhyProps, 'frameTimeS' | 'outdated'> {
+  readonly defaults: MethodProps['defaults'] | null;
+  readonly result: ClipResult;
+  readonly tab: InspectorTab;
+  readonly onTab: (tab: InspectorTab) => void;
   readonly onPerformer: (index: number) => void;
-  readonly onFrame: (frame: number) => void;
-  readonly onExport: (kind: ExportKind) => void;
 }
 
-function exportFooter({ words: { t }, clip, onExport }: InspectorProps): TemplateResult {
-  const button = (kind: ExportKind, key: 'export.csv' | 'export.json'): TemplateResult =>
-    html`<button
-      type="button"
-      class="button line"
-      data-tip=${t(`${key}.about`)}
-      ?disabled=${clip.outdated}
-      @click=${() => onExport(kind)}
+function method(props: InspectorProps): TemplateResult {
+  const { words, performer, clip, result, defaults } = props;
+  const why = { ...props, frameTimeS: result.frameTimeS, outdated: clip.outdated };
+  return html`${defaults ? methodSection({ ...props, defaults }) : nothing}
+  ${resultSection(words, performer, clip.outdated)} ${whySection(why)}`;
+}
+
+const contents: Readonly<Record<InspectorTab, (props: InspectorProps) => TemplateResult>> = {
+  method,
+  body,
+  doctor,
+  export: exportSection,
+};
+
+function performerChoice(props: InspectorProps): TemplateResult | typeof nothing {
+  const {
+    words: { t },
+    result,
+    performerIndex,
+    onPerformer,
+  } = props;
+  if (result.performers.length < 2) return nothing;
+  const control = choiceField({
+    id: 'performer',
+    value: String(performerIndex),
+    options: result.performers.map((_, index) => [
+      String(index),
+      t('recording.performer.number', index + 1),
+    ]),
+    onValue: (value) => onPerformer(Number(value)),
+  });
+  return html`<div class="performer-choice">
+    ${settingRow({ id: 'performer', label: t('recording.performer'), reset: null, control })}
+  </div>`;
+}
+
+export function inspector(props: InspectorProps): TemplateResult {
+  const { words, tab: chosen, notes, onTab } = props;
+  const panel = (tab: InspectorTab): TemplateResult =>
+    html`<div
+      id=${panelId(tab)}
+      class="inspector-panel"
+      role="tabpanel"
+      aria-labelledby=${tabId(tab)}
+      ?hidden=${tab !== chosen}
     >
-      ${icon('download', 14)}${t(key)}
-    </button>`;
-  return html`<section class="inspector-foot" aria-label=${t('export.title')}>
-    <h3>${t('export.title')}</h3>
-    <div class="export-buttons">
-      ${button('keyposes-csv', 'export.csv')}${button('keyposes-json', 'export.json')}
-    </div>
-  </section>`;
-}
-
-export function inspector(props: InspectorProps): TemplateResult | typeof nothing {
-  const { words, clip, performerIndex } = props;
-  const { result } = clip;
-  const performer = result?.performers[performerIndex];
-  if (!result || !performer) return nothing;
-  const notes = [...result.notes, ...performer.notes];
-  return html`
-    <div class="inspector-sections">
-      ${resultSection(words, performer, clip.outdated)}
-      ${recordingSection({ ...props, result, performer })}
-      ${notesSection(words, notes, props.onFrame)} ${bodySection(words, performer)}
-    </div>
-    ${exportFooter(props)}
-  `;
+      ${tab === chosen ? contents[tab](props) : nothing}
+    </div>`;
+  return html`${tabList({ words, chosen, notes: notes.length, onTab })} ${performerChoice(props)}
+  ${inspectorTabs.map(panel)}`;
 }

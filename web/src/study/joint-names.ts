@@ -9,7 +9,7 @@ export function jointName({ t }: Words, { body, skeleton }: BodyOf, joint: numbe
   if (body.kind === 'human') {
     const part = body.joints.find((other) => other.joint === joint);
     if (part) return t(`role.${part.role}`);
-    if (joint === body.pelvis) return t('body.pelvis');
+    if (joint === body.pelvis) return t('role.pelvis');
   }
   return skeleton.labels[joint] ?? '';
 }

@@ -34,7 +34,8 @@ test('both languages name the same places', () => {
 
 /** Signs, units, keys and the product's name. */
 const sameInBoth = [
-  /^unit\.(seconds|hertz|s|m|dm|cm|mm|cmu)$/,
+  /^method\.source$/,
+  /^unit\.(seconds|hertz|hz|percent|s|m|dm|cm|mm|cmu)$/,
   /^key\./,
   /^top\.(place|bar)$/,
   /^caption\.performer$/,
@@ -95,4 +96,25 @@ test('the form goes by the first number', () => {
 test('an unknown kind shows itself', () => {
   const failure = { kind: 'brand-new', line: null, column: null, details: ['x'] };
   expect(wordsFor('en').failure(failure)).toBe('brand-new x');
+});
+
+test('a note falls into what was found and what was made of it', () => {
+  const note = (kind: string, ...details: string[]) => ({
+    kind,
+    line: 3,
+    column: 1,
+    frame: null,
+    details,
+  });
+  const english = wordsFor('en');
+  const comma = note('unknown-line', 'a; b');
+  expect(english.noteParts(note('missing-offset', 'Hips'))).toEqual({
+    what: 'Hips has no OFFSET',
+    assumed: 'Zero was assumed.',
+  });
+  expect(english.noteParts(comma).what).toBe('A line was not understood and ignored: a; b');
+  expect(wordsFor('ja').noteParts(note('missing-offset', 'Hips'))).toEqual({
+    what: 'Hips に OFFSET がありません',
+    assumed: 'ゼロとしました。',
+  });
 });

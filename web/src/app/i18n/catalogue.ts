@@ -23,6 +23,8 @@ export interface Words {
   readonly t: (key: MessageKey, ...values: readonly Argument[]) => string;
   /** The sentence of a note of the reader or the analysis. */
   readonly note: (note: Note) => string;
+  /** The same in two: what was found, and what was made of it ('' where the sentence is one). */
+  readonly noteParts: (note: Note) => { readonly what: string; readonly assumed: string };
   /** The sentence of a failure. */
   readonly failure: (failure: Failure) => string;
 }
@@ -43,6 +45,19 @@ export function fill(template: string, values: readonly string[]): string {
   return template.replace(/\{(\d+)\}/g, (place, index: string) => values[Number(index)] ?? place);
 }
 
+/** Where a note turns from what was found to what was made of it. */
+const turns: Readonly<Record<Language, RegExp>> = { en: /; /, ja: /。(?=.)/ };
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** The first part stands as a title, without a full stop. */
+function splitNote(template: string, language: Language): { what: string; assumed: string } {
+  const at = turns[language].exec(template);
+  const what = at ? template.slice(0, at.index) : template;
+  const assumed = at ? template.slice(at.index + at[0].length) : '';
+  return { what: what.replace(/[.。]$/, ''), assumed: capital(assumed) };
+}
+
 export function wordsFor(language: Language): Words {
   const book = books[language];
   const plural = new Intl.PluralRules(language);
@@ -61,6 +76,11 @@ export function wordsFor(language: Language): Words {
     format,
     t: (key, ...values) => fill(form(book.messages[key], values), values.map(text)),
     note: ({ kind, details }) => fill(book.notes[kind] ?? [kind, ...details].join(' '), details),
+    noteParts: ({ kind, details }) => {
+      const template = book.notes[kind] ?? [kind, ...details].join(' ');
+      const { what, assumed } = splitNote(template, language);
+      return { what: fill(what, details), assumed: fill(assumed, details) };
+    },
     // Why a clip has no keyposes is told as a failure, in the words of the note.
     failure: ({ kind, details }) =>
       fill(book.failures[kind] ?? book.notes[kind] ?? [kind, ...details].join(' '), details),
