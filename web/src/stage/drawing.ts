@@ -23,7 +23,8 @@ export function createDrawing(target: HTMLElement, props: StageProps): Drawing |
   const canvas = document.createElement('canvas');
   canvas.className = 'stage-canvas';
   canvas.tabIndex = 0;
-  const context = canvas.getContext('webgl2', { antialias: true, alpha: false, stencil: false });
+  // Ghosts mark what they cover.
+  const context = canvas.getContext('webgl2', { antialias: true, alpha: false, stencil: true });
   if (context === null) return null;
   target.append(canvas);
   return new Drawing(target, canvas, new WebGLRenderer({ canvas, context }), props);
@@ -196,7 +197,7 @@ export class Drawing {
   private setMoments(props: StageProps, before?: StageProps): void {
     const { chosen, ghosts, trails, moreContrast } = props;
     this.scene.setChosen(chosen);
-    if (ghosts !== before?.ghosts) this.scene.setGhosts(ghosts.map(({ pose }) => pose));
+    if (ghosts !== before?.ghosts) this.scene.setGhosts(ghosts);
     if (trails !== before?.trails) {
       this.scene.setTrails(trails);
       // The playhead on the new paths.

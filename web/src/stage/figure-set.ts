@@ -108,7 +108,7 @@ export class FigureSet {
 
   private create(pose: FigurePose, first: number): Figure {
     this.cones.setBones(pose.bones, first);
-    const look = { first, count: pose.bones.length, resting: false, occluded: true };
+    const look = { first, count: pose.bones.length, resting: false, occluded: true, mark: 0 };
     const place = { x: 0, z: 0, groundReach: 0, weight: 1, drawable: true };
     const figure: Omit<Figure, 'mesh'> = { pose, ...look, ...place };
     const mesh = figureMesh(this.material, figure);

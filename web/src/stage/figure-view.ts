@@ -18,6 +18,8 @@ export type SharedUniforms = Record<'cones' | 'sunDirection', IUniform>;
 export interface FigureLook {
   readonly first: number;
   readonly count: number;
+  /** What the stencil holds where it is drawn, if its matter writes there. */
+  readonly mark: number;
   /** In a leading rest frame, which is greyed. */
   resting: boolean;
   /** Whether the figure darkens itself. */
@@ -68,6 +70,7 @@ export function figureMesh(material: FigureMaterial, look: FigureLook): Mesh {
     uniforms.firstCone.value = look.first;
     uniforms.occluderCount.value = look.occluded ? look.count : 0;
     uniforms.resting.value = look.resting ? 1 : 0;
+    material.stencilRef = look.mark;
     material.uniformsNeedUpdate = true;
   };
   return mesh;

@@ -2,6 +2,9 @@
 import type { Scene, Vector3 } from 'three';
 import type { Figure, FigureSet } from './figure-set';
 import { type GhostMatter, GhostView } from './ghost-view';
+import type { StageGhost } from './stage-props';
+
+const nobody: StageGhost = { tag: '', pose: new Float32Array() };
 
 /** At the previous keypose and at the next, and at the moment under the pointer. */
 export const MOST_GHOSTS = 3;
@@ -26,18 +29,19 @@ export class GhostSet {
     this.ghosts = Array.from({ length: MOST_GHOSTS }, (_, i) => {
       const first = spare + i * bones.length;
       cones.setBones(bones, first);
-      return new GhostView(this.matter, figure.pose.twin(), first);
+      return new GhostView(this.matter, figure.pose.twin(), first, i + 1);
     });
     for (const ghost of this.ghosts) ghost.addTo(this.scene);
   }
 
-  /** One ghost a pose; which of them are shown, in the same order. */
-  show(poses: readonly Float32Array[], { cones }: FigureSet): (GhostView | null)[] {
+  /** Which of the ghosts can be shown, in their order. */
+  show(props: readonly StageGhost[], { cones }: FigureSet): (GhostView | null)[] {
     this.shown.length = 0;
     const views = this.ghosts.map((ghost, i) => {
-      const pose = poses[i] as Float32Array | undefined;
-      const fits = pose?.length === ghost.pose.joints.length;
+      const { pose, tag } = props[i] ?? nobody;
+      const fits = pose.length === ghost.pose.joints.length;
       ghost.visible = fits && ghost.pose.writePose(pose, cones, ghost.first);
+      ghost.passing = tag === '';
       if (!ghost.visible) return null;
       ghost.place();
       this.shown.push(ghost);

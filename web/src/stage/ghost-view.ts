@@ -1,5 +1,5 @@
 /** In: a range of cones in the cone texture. Out: a figure seen through, without the edges inside it. */
-import { type Mesh, type Scene } from 'three';
+import { type Mesh, NotEqualStencilFunc, ReplaceStencilOp, type Scene } from 'three';
 import type { FigurePose } from './figure-pose';
 import { figureMesh, type FigureLook, FigureMaterial, type SharedUniforms } from './figure-view';
 import type { GroundFigure } from './ground-view';
@@ -26,7 +26,14 @@ export class GhostMatter {
       fragmentShader: depthFragment,
       colorWrite: false,
     });
-    this.skin = new FigureMaterial(shared, { ...last, depthWrite: false });
+    // Where two cones lie in the same depth the colour comes once all the same: the stencil tells.
+    this.skin = new FigureMaterial(shared, {
+      ...last,
+      depthWrite: false,
+      stencilWrite: true,
+      stencilFunc: NotEqualStencilFunc,
+      stencilZPass: ReplaceStencilOp,
+    });
     this.setContrast(false);
   }
 
@@ -51,17 +58,20 @@ export class GhostView implements GroundFigure {
   readonly first: number;
   readonly count: number;
   readonly weight = SHADE;
+  /** Here for a moment only. */
+  passing = false;
   groundReach = 0;
   x = 0;
   z = 0;
   private readonly look: FigureLook;
   private readonly meshes: readonly [Mesh, Mesh];
 
-  constructor(matter: GhostMatter, pose: FigurePose, first: number) {
+  /** `mark`: from 1, another for every ghost. */
+  constructor(matter: GhostMatter, pose: FigurePose, first: number, mark: number) {
     this.pose = pose;
     this.first = first;
     this.count = pose.bones.length;
-    this.look = { first, count: this.count, resting: false, occluded: true };
+    this.look = { first, count: this.count, resting: false, occluded: true, mark };
     this.meshes = [figureMesh(matter.veil, this.look), figureMesh(matter.skin, this.look)];
     this.visible = false;
   }

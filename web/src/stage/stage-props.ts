@@ -8,7 +8,7 @@ export type StageFailure = 'no-webgl2' | 'context-lost';
 
 /** The figure at another moment. */
 export interface StageGhost {
-  /** Under the figure, on the ground. */
+  /** Under the figure, on the ground; empty for a passing ghost, for which the camera stays. */
   readonly tag: string;
   /** Joints × (x, y, z) of the chosen performer, in file units. */
   readonly pose: Float32Array;

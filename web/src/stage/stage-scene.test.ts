@@ -4,6 +4,7 @@ import type { PoseSource } from '../engine/pose-source';
 import { animal, human, standingPose } from '../figure/test-bodies';
 import type { StagePerformer } from './figure-set';
 import type { Ray } from './pick';
+import type { StageGhost } from './stage-props';
 import { StageScene } from './stage-scene';
 
 function sourceOf(frames: readonly (Float32Array | null)[]): PoseSource {
@@ -34,6 +35,8 @@ function performerOf(
 
 const moved = (x: number, z: number): Float32Array =>
   standingPose.map((value, i) => value + [x, 0, z][i % 3]);
+
+const ghost = (pose: Float32Array): StageGhost => ({ tag: '1', pose });
 
 /** Instances of what is seen of figures in the scene; background, ground and heralds have none. */
 function instances(stage: StageScene): number[] {
@@ -85,21 +88,30 @@ describe('StageScene', () => {
   it('draws a ghost for each pose of another moment, in two calls, until there are other poses', () => {
     const stage = new StageScene();
     stage.setPerformers([performerOf([standingPose])]);
-    stage.setGhosts([moved(2, 0), moved(-3, 0)]);
+    stage.setGhosts([moved(2, 0), moved(-3, 0)].map(ghost));
     stage.showFrame(0);
     expect(instances(stage)).toEqual([22, 22, 22, 22, 22]);
     expect(stage.ghostViews.map((ghost) => ghost?.x)).toEqual([1, -1.5, undefined]);
     expect(stage.place.ghosts).toBeCloseTo(1.5, 6);
-    stage.setGhosts([moved(1, 0)]);
+    stage.setGhosts([moved(1, 0)].map(ghost));
     expect(instances(stage)).toEqual([22, 22, 22]);
     stage.setGhosts([]);
     expect(instances(stage)).toEqual([22]);
   });
 
+  it('has no ghost in the way of the camera that only passes', () => {
+    const stage = new StageScene();
+    stage.setPerformers([performerOf([standingPose])]);
+    stage.setGhosts([{ tag: '', pose: moved(9, 0) }]);
+    stage.showFrame(0);
+    expect(stage.ghostViews[0]?.x).toBeCloseTo(4.5, 6);
+    expect(stage.place.ghosts).toBe(0);
+  });
+
   it('draws the farther ghost before the nearer one', () => {
     const stage = new StageScene();
     stage.setPerformers([performerOf([standingPose])]);
-    stage.setGhosts([moved(0, 4), moved(0, -4)]);
+    stage.setGhosts([moved(0, 4), moved(0, -4)].map(ghost));
     stage.showFrame(0);
     const orders = (): number[] =>
       stage.scene.children.map(({ renderOrder }) => renderOrder).filter((order) => order > 1);
@@ -113,12 +125,12 @@ describe('StageScene', () => {
   it('has ghosts of the chosen performer, and none of a pose that is not its', () => {
     const stage = new StageScene();
     stage.setPerformers([performerOf([standingPose]), performerOf([moved(4, 0)])]);
-    stage.setGhosts([moved(8, 0)]);
+    stage.setGhosts([moved(8, 0)].map(ghost));
     stage.setChosen(1);
     stage.showFrame(0);
     expect(stage.chosenFigure?.x).toBeCloseTo(2, 6);
     expect(stage.ghostViews[0]?.x).toBeCloseTo(4, 6);
-    stage.setGhosts([new Float32Array(6)]);
+    stage.setGhosts([new Float32Array(6)].map(ghost));
     expect(stage.ghostViews[0]).toBeNull();
   });
 

@@ -9,7 +9,7 @@ import { GhostMatter, type GhostView } from './ghost-view';
 import { type GroundFigure, GroundView } from './ground-view';
 import { type Palette, SUN_DIRECTION } from './palette';
 import { jointOfHit, pickCone, type Ray } from './pick';
-import type { StageTrails } from './stage-props';
+import type { StageGhost, StageTrails } from './stage-props';
 import { TrailView } from './trail-view';
 import { trailPaths, trailTime } from './trail-paths';
 
@@ -35,14 +35,14 @@ export class StageScene {
   private readonly trailView = new TrailView();
   private performers: readonly StagePerformer[] = [];
   private chosen = 0;
-  private ghostPoses: readonly Float32Array[] = [];
+  private ghostProps: readonly StageGhost[] = [];
   private trails: StageTrails | null = null;
   private readonly shades: GroundFigure[] = [];
   /** The figures are those of former performers. */
   private outdated = false;
   /** Draw nothing, but have the shaders compiled before the first figure and the first ghost come. */
   private readonly heralds = [this.material, this.matter.veil, this.matter.skin].map((material) =>
-    figureMesh(material, { first: 0, count: 0, resting: false, occluded: false }),
+    figureMesh(material, { first: 0, count: 0, resting: false, occluded: false, mark: 0 }),
   );
 
   constructor() {
@@ -102,8 +102,8 @@ export class StageScene {
     this.placeFigures();
   }
 
-  setGhosts(poses: readonly Float32Array[]): void {
-    this.ghostPoses = poses;
+  setGhosts(ghosts: readonly StageGhost[]): void {
+    this.ghostProps = ghosts;
     if (this.ready) this.placeGhosts();
   }
 
@@ -175,7 +175,7 @@ export class StageScene {
   }
 
   private placeGhosts(): void {
-    this.ghostViews = this.ghosts.show(this.ghostPoses, this.set);
+    this.ghostViews = this.ghosts.show(this.ghostProps, this.set);
     this.placeFigures();
   }
 
@@ -198,7 +198,8 @@ export class StageScene {
       const ghost = this.ghosts.shown[i];
       shades.push(ghost);
       // The most so far: the picture does not breathe from keypose to keypose.
-      place.ghosts = Math.max(place.ghosts, Math.hypot(ghost.x - place.x, ghost.z - place.z));
+      if (!ghost.passing)
+        place.ghosts = Math.max(place.ghosts, Math.hypot(ghost.x - place.x, ghost.z - place.z));
     }
     this.ground.setFigures(shades);
   }

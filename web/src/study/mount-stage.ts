@@ -2,6 +2,7 @@
 import { computed, effect, signal, type ReadonlySignal } from '@preact/signals-core';
 import type { Context } from '../app/context';
 import type { Store } from '../app/store';
+import { posture } from '../app/posture';
 import { follow, mount } from '../common/mount';
 import { createPoseSource } from '../engine/pose-source';
 import { performerLetter } from '../figure/performer-letter';
@@ -90,15 +91,17 @@ function createCaption({ store, language }: Context): ReadonlySignal<Caption | n
   return computed((): Caption | null => {
     const result = store.openClip.value?.result;
     if (!result) return null;
-    const several = result.performers.length > 1;
-    return captionOf(language.words.value, {
+    const words = language.words.value;
+    const current = store.currentKeypose.value;
+    const postures = store.openPerformer.value?.keyposes?.postures ?? [];
+    return captionOf(words, {
       frame: store.playback.value.frame,
       frameTimeS: result.frameTimeS,
       keyposes: store.keyposeFrames.value,
-      current: store.currentKeypose.value,
+      current,
       leadingRestFrames: store.openPerformer.value?.leadingRestFrames ?? 0,
-      posture: '',
-      performer: several ? performerLetter(store.performer.value) : null,
+      posture: current === null ? '' : posture(words, postures[current] ?? []),
+      performer: result.performers.length > 1 ? performerLetter(store.performer.value) : null,
     });
   });
 }

@@ -50,13 +50,39 @@ export function showGhosts(stage: StageSignal, context: Context): void {
       shelf.fetch([...around], show);
     });
   });
+  const passing = hoverGhost(context);
   follow(() => {
     const { format } = language.words.value;
     const current = store.currentKeypose.value;
     const open = store.openPerformer.value !== null;
     const tag = store.ghosts.value && current !== null ? format.integer(current + 1) : null;
-    stage.value?.update({ ghosts: open ? ghosts.value : noGhosts, currentTag: tag });
+    const shown = open ? [...ghosts.value, ...passing.value] : noGhosts;
+    stage.value?.update({ ghosts: shown, currentTag: tag });
   });
+}
+
+/** The figure at the moment under the pointer, wherever on the page that is. */
+function hoverGhost(context: Context): ReadonlySignal<readonly StageGhost[]> {
+  const { store } = context;
+  const passing = signal(noGhosts);
+  withShelf(context, (shelf) => {
+    passing.value = noGhosts;
+    return follow(() => {
+      const frame = store.hoverFrame.value;
+      const isElsewhere = frame !== null && frame !== store.playback.value.frame;
+      if (!isElsewhere) {
+        passing.value = noGhosts;
+        return;
+      }
+      const show = (): void => {
+        const pose = shelf.read([frame])?.[0];
+        if (pose && store.hoverFrame.peek() === frame) passing.value = [{ tag: '', pose }];
+      };
+      show();
+      shelf.fetch([frame], show);
+    });
+  });
+  return passing;
 }
 
 export function showTrails(stage: StageSignal, context: Context, choice: TrailChoice): void {
