@@ -22,27 +22,22 @@ export function intensityRadius(row: Row, intensity: number, largest: number): n
   return row.folded ? radius * FOLDED_SIZE : radius;
 }
 
-/**
- * Remembers which cells of a row hold a dot: of thousands of candidates in a few hundred pixels only
- * those are drawn that can be seen.
- */
+/** Remembers which cells of a row are taken: of thousands of dots only those are drawn that can be seen. */
 export class DotGrid {
   private readonly taken: Uint8Array;
-  private readonly across: number;
+  private readonly columns: number;
+  private readonly rows: number;
 
-  constructor(
-    width: number,
-    height: number,
-    private readonly cell: number,
-  ) {
-    this.across = Math.ceil(width / cell) + 3;
-    this.taken = new Uint8Array(this.across * (Math.ceil(height / cell) + 2));
+  constructor(width: number, height: number, cell: number) {
+    this.columns = Math.ceil(width / cell) + 1;
+    this.rows = Math.ceil(height / cell) + 1;
+    this.taken = new Uint8Array(this.columns * this.rows);
   }
 
-  /** Whether the cell was free; it no longer is. */
-  take(x: number, y: number): boolean {
-    const column = Math.min(this.across - 1, Math.max(0, Math.floor(x / this.cell) + 1));
-    const index = Math.max(0, Math.floor(y / this.cell)) * this.across + column;
+  /** Whether a cell lies in the row and was free; it no longer is. */
+  take(column: number, row: number): boolean {
+    if (column < 0 || column >= this.columns || row < 0 || row >= this.rows) return false;
+    const index = row * this.columns + column;
     if (this.taken[index] === 1) return false;
     this.taken[index] = 1;
     return true;

@@ -1,10 +1,12 @@
 /** Draws the row of intensity: a dot for every candidate, filled for keyposes, and the cut between them. */
 import { DotGrid, intensityRadius, intensityY, ZERO_RADIUS } from './intensity-dots';
-import type { Scene } from './scene';
+import { isSparse, type Scene } from './scene';
+import type { Run } from './sorted';
 
-/** From so many candidates in view on, dots that would hide each other are left out. */
+/** From so many candidates in view on, they are specks. */
 const CROWD = 600;
-const CROWD_CELL = 2;
+/** Side of the square that stands for dots in a crowd, in pixels. */
+const SPECK = 2;
 
 export function drawIntensityRow(context: CanvasRenderingContext2D, scene: Scene): void {
   drawCut(context, scene);
@@ -66,27 +68,26 @@ function drawZeros(
   const { intensities, candidates: frames } = data.result;
   const y = intensityY(rows.intensity, 0, data.largestIntensity);
   let last = -Infinity;
-  context.beginPath();
+  context.globalAlpha = 0.7;
+  context.fillStyle = palette.text3;
   for (let index = candidates.from; index < candidates.to; index++) {
     if (intensities[index] > 0) continue;
     const x = axis.x(frames[index]);
     if (x - last < 1) continue;
     last = x;
-    context.moveTo(x + ZERO_RADIUS, y);
-    context.arc(x, y, ZERO_RADIUS, 0, 2 * Math.PI);
+    context.fillRect(x - ZERO_RADIUS, y - ZERO_RADIUS, 2 * ZERO_RADIUS, 2 * ZERO_RADIUS);
   }
-  context.globalAlpha = 0.7;
-  context.fillStyle = palette.text3;
-  context.fill();
   context.globalAlpha = 1;
 }
 
 /** Candidates of some intensity that are no keyposes: rings. */
 function drawCandidates(context: CanvasRenderingContext2D, scene: Scene): void {
   const { palette, data, candidates } = scene;
-  addDots(context, scene, candidates.from, candidates.to, (candidate) =>
-    data.keyposeOf[candidate] < 0 && data.result.intensities[candidate] > 0 ? candidate : -1,
-  );
+  const candidateOf = (index: number): number =>
+    data.keyposeOf[index] < 0 && data.result.intensities[index] > 0 ? index : -1;
+  if (candidates.to - candidates.from > CROWD)
+    return fillSpecks(context, scene, candidates, candidateOf, palette.text3);
+  addDots(context, scene, candidates, candidateOf);
   context.fillStyle = palette.panel;
   context.strokeStyle = palette.text3;
   context.lineWidth = 1;
@@ -96,7 +97,9 @@ function drawCandidates(context: CanvasRenderingContext2D, scene: Scene): void {
 
 function drawKeyposes(context: CanvasRenderingContext2D, scene: Scene): void {
   const { palette, data, keyposes } = scene;
-  addDots(context, scene, keyposes.from, keyposes.to, (index) => data.result.keyposes[index]);
+  const candidateOf = (index: number): number => data.result.keyposes[index];
+  if (!isSparse(scene)) return fillSpecks(context, scene, keyposes, candidateOf, palette.kp);
+  addDots(context, scene, keyposes, candidateOf);
   context.fillStyle = palette.kp;
   context.strokeStyle = palette.panel;
   context.lineWidth = 1;
@@ -104,26 +107,47 @@ function drawKeyposes(context: CanvasRenderingContext2D, scene: Scene): void {
   context.stroke();
 }
 
-/** A path of the dots of candidates; `candidateOf` gives -1 for those that are left out. */
+/** The candidate of an index of a run; -1 where it is left out. */
+type CandidateOf = (index: number) => number;
+
+/** A path of the dots of candidates. */
 function addDots(
   context: CanvasRenderingContext2D,
   { axis, rows, data }: Scene,
-  from: number,
-  to: number,
-  candidateOf: (index: number) => number,
+  run: Run,
+  candidateOf: CandidateOf,
 ): void {
   const { intensities, candidates: frames } = data.result;
-  const row = rows.intensity;
-  const grid = to - from > CROWD ? new DotGrid(axis.width, row.height, CROWD_CELL) : null;
   context.beginPath();
-  for (let index = from; index < to; index++) {
+  for (let index = run.from; index < run.to; index++) {
     const candidate = candidateOf(index);
     if (candidate < 0) continue;
     const x = axis.x(frames[candidate]);
-    const y = intensityY(row, intensities[candidate], data.largestIntensity);
-    if (grid !== null && !grid.take(x, y - row.top)) continue;
-    const radius = intensityRadius(row, intensities[candidate], data.largestIntensity);
+    const y = intensityY(rows.intensity, intensities[candidate], data.largestIntensity);
+    const radius = intensityRadius(rows.intensity, intensities[candidate], data.largestIntensity);
     context.moveTo(x + radius, y);
     context.arc(x, y, radius, 0, 2 * Math.PI);
+  }
+}
+
+/** In a crowd: one small square for all dots that would lie over each other. */
+function fillSpecks(
+  context: CanvasRenderingContext2D,
+  { axis, rows, data }: Scene,
+  run: Run,
+  candidateOf: CandidateOf,
+  colour: string,
+): void {
+  const { intensities, candidates: frames } = data.result;
+  const row = rows.intensity;
+  const grid = new DotGrid(axis.width, row.height, SPECK);
+  context.fillStyle = colour;
+  for (let index = run.from; index < run.to; index++) {
+    const candidate = candidateOf(index);
+    if (candidate < 0) continue;
+    const x = Math.floor(axis.x(frames[candidate]) / SPECK);
+    const y = Math.floor(intensityY(row, intensities[candidate], data.largestIntensity) / SPECK);
+    if (grid.take(x, y - Math.floor(row.top / SPECK)))
+      context.fillRect(x * SPECK, y * SPECK, SPECK, SPECK);
   }
 }

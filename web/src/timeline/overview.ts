@@ -12,7 +12,7 @@ import {
 import { prepareCanvas } from './canvas';
 import type { Palette } from './palette';
 import type { Row } from './rows';
-import { reduceToColumns } from './speed-columns';
+import { curveOf } from './speed-curve';
 import type { TimelineData } from './timeline-data';
 import type { TimelineText } from './timeline-text';
 import { panned } from './zoom';
@@ -148,14 +148,15 @@ function drawArea(
   data: TimelineData,
   palette: Palette,
 ): void {
-  const { firstX, maximum } = reduceToColumns(data.speed, data.result.firstFrame, axis);
+  const { x, maximum } = curveOf(data.speed, data.result.firstFrame, axis);
+  if (x.length === 0) return;
   const base = row.height - FOOT;
   const scale = data.result.maximumSpeed > 0 ? (row.height - AIR) / data.result.maximumSpeed : 0;
   context.beginPath();
-  context.moveTo(firstX, base);
-  for (let index = 0; index < maximum.length; index++)
-    context.lineTo(firstX + index, base - maximum[index] * scale);
-  context.lineTo(firstX + maximum.length - 1, base);
+  context.moveTo(x[0], base);
+  for (let index = 0; index < x.length; index++)
+    context.lineTo(x[index], base - maximum[index] * scale);
+  context.lineTo(x[x.length - 1], base);
   context.fillStyle = palette.line2;
   context.fill();
 }

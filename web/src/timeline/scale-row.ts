@@ -1,14 +1,12 @@
 /** Draws the row of time scales: the traces of candidates and keyposes, as ribbons. */
-import type { Scene } from './scene';
+import { isSparse, type Scene } from './scene';
 import type { Run } from './sorted';
 import { scaleHeights, scaleY, TraceOutline } from './trace-outline';
 
 /** Candidates that are not keyposes show their traces while so many at most are in view. */
 export const MOST_CANDIDATE_TRACES = 300;
-/** More keyposes than this are drawn as one upright line a pixel: no ribbon could be seen. */
-const MOST_RIBBONS = 1500;
 /** Points of ribbons in one drawing; where more are in view, every nth is taken. */
-const MOST_POINTS = 8000;
+const MOST_POINTS = 4000;
 const KEYPOSE_ALPHA = 0.82;
 const OTHER_ALPHA = 0.38;
 const GUIDES_HZ = [16, 8, 4, 2, 1, 0.5, 0.25];
@@ -24,7 +22,7 @@ export function drawScaleRow(context: CanvasRenderingContext2D, scene: Scene): v
     const others = candidatesOf(candidates, (candidate) => data.keyposeOf[candidate] < 0);
     fillRibbons(context, scene, others, heights, palette.text3, OTHER_ALPHA);
   }
-  if (keyposes.to - keyposes.from > MOST_RIBBONS) return fillLines(context, scene, heights);
+  if (!isSparse(scene)) return fillLines(context, scene, heights);
   const kept = candidatesOf(keyposes, () => true).map((index) => data.result.keyposes[index]);
   fillRibbons(context, scene, kept, heights, palette.kp, KEYPOSE_ALPHA);
 }
@@ -101,7 +99,7 @@ function fillLines(
   const { traceOffsets, traceScales, keyposes: candidateOf } = data.result;
   for (let keypose = keyposes.from; keypose < keyposes.to; keypose++) {
     const end = traceOffsets[candidateOf[keypose] + 1];
-    const x = Math.round(axis.x(data.frames[keypose]));
+    const x = Math.floor(axis.x(data.frames[keypose]));
     if (end === traceOffsets[candidateOf[keypose]] || x < 0 || x >= deepest.length) continue;
     deepest[x] = Math.max(deepest[x], heights[traceScales[end - 1]]);
   }
@@ -109,6 +107,6 @@ function fillLines(
   context.globalAlpha = KEYPOSE_ALPHA;
   context.fillStyle = palette.kp;
   for (let x = 0; x < deepest.length; x++)
-    if (deepest[x] > 0) context.fillRect(x - 0.5, top, 0.9, Math.max(1, deepest[x] - top));
+    if (deepest[x] > 0) context.fillRect(x, top, 1, Math.max(1, deepest[x] - top));
   context.globalAlpha = 1;
 }

@@ -32,10 +32,10 @@ export function sceneOf(axis: Axis, rows: RowLayout, data: TimelineData, palette
   };
 }
 
-/** Keyposes closer than this on average would make one wash of their stems. */
-const STEM_DISTANCE = 5;
+/** Keyposes closer than this on average would make one wash of their stems and traces, in pixels. */
+const LEAST_DISTANCE = 5;
 
-/** Whether each keypose in view has a stem and a dot of its own. */
-export function hasStems({ axis, keyposes }: Scene): boolean {
-  return (keyposes.to - keyposes.from) * STEM_DISTANCE <= axis.width;
+/** Whether each keypose in view can have a stem, a ribbon and a round dot of its own. */
+export function isSparse({ axis, keyposes }: Scene): boolean {
+  return (keyposes.to - keyposes.from) * LEAST_DISTANCE <= axis.width;
 }

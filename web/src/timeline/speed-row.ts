@@ -1,8 +1,8 @@
 /** Draws the row of motion speed: area, trend, curve and the keyposes upon it. */
 import type { Row } from './rows';
 import type { Scene } from './scene';
-import { hasStems } from './scene';
-import { type Columns, reduceToColumns } from './speed-columns';
+import { isSparse } from './scene';
+import { type Curve, curveOf } from './speed-curve';
 
 const HEADROOM = 1.04;
 const FOOT = 3;
@@ -17,13 +17,13 @@ export function speedY(row: Row, speed: number, maximum: number): number {
 export function drawSpeedRow(context: CanvasRenderingContext2D, scene: Scene): void {
   const { axis, data, palette, rows } = scene;
   const { firstFrame, maximumSpeed } = data.result;
-  const columns = reduceToColumns(data.speed, firstFrame, axis);
-  const trend = reduceToColumns(data.trend, firstFrame, axis);
+  const curve = curveOf(data.speed, firstFrame, axis);
+  const trend = curveOf(data.trend, firstFrame, axis);
   const y = (speed: number): number => speedY(rows.speed, speed, maximumSpeed);
-  fillArea(context, columns, y, palette.ink);
+  fillArea(context, curve, y, palette.ink);
   if (!rows.speed.folded) strokeTrend(context, trend, y, palette.text3);
-  strokeCurve(context, columns, y, palette.ink);
-  if (hasStems(scene) && !rows.speed.folded) drawDots(context, scene, y);
+  drawCurve(context, curve, y, palette.ink);
+  if (isSparse(scene) && !rows.speed.folded) drawDots(context, scene, y);
 }
 
 /** The keypose's disc on the curve, with a rim of the page. */
@@ -71,16 +71,16 @@ type ToPixel = (speed: number) => number;
 
 function fillArea(
   context: CanvasRenderingContext2D,
-  { firstX, maximum }: Columns,
+  { x, maximum }: Curve,
   y: ToPixel,
   ink: string,
 ): void {
+  if (x.length === 0) return;
   const base = y(0);
   context.beginPath();
-  context.moveTo(firstX, base);
-  for (let index = 0; index < maximum.length; index++)
-    context.lineTo(firstX + index, y(maximum[index]));
-  context.lineTo(firstX + maximum.length - 1, base);
+  context.moveTo(x[0], base);
+  for (let index = 0; index < x.length; index++) context.lineTo(x[index], y(maximum[index]));
+  context.lineTo(x[x.length - 1], base);
   context.globalAlpha = 0.07;
   context.fillStyle = ink;
   context.fill();
@@ -89,14 +89,13 @@ function fillArea(
 
 function strokeTrend(
   context: CanvasRenderingContext2D,
-  trend: Columns,
+  { x, minimum, maximum }: Curve,
   y: ToPixel,
   colour: string,
 ): void {
   context.beginPath();
-  for (let index = 0; index < trend.maximum.length; index++) {
-    context.lineTo(trend.firstX + index, y((trend.maximum[index] + trend.minimum[index]) / 2));
-  }
+  for (let index = 0; index < x.length; index++)
+    context.lineTo(x[index], y((minimum[index] + maximum[index]) / 2));
   context.setLineDash([3, 3]);
   context.lineWidth = 1;
   context.strokeStyle = colour;
@@ -104,24 +103,28 @@ function strokeTrend(
   context.setLineDash([]);
 }
 
-/** A line through both ends of every column, the end nearer to the last point first. */
-function strokeCurve(
+const LINE_WIDTH = 1.35;
+
+/** A line from frame to frame, or the band between the extremes of each pixel, as thick as a line at least. */
+function drawCurve(
   context: CanvasRenderingContext2D,
-  { firstX, minimum, maximum }: Columns,
+  { x, minimum, maximum }: Curve,
   y: ToPixel,
   ink: string,
 ): void {
   context.beginPath();
-  let previous = minimum[0];
-  for (let index = 0; index < minimum.length; index++) {
-    const [low, high] = [minimum[index], maximum[index]];
-    const rising = previous - low <= high - previous;
-    context.lineTo(firstX + index, y(rising ? low : high));
-    context.lineTo(firstX + index, y(rising ? high : low));
-    previous = rising ? high : low;
+  const isLine = minimum === maximum;
+  const rim = isLine ? 0 : LINE_WIDTH / 2;
+  for (let index = 0; index < x.length; index++) context.lineTo(x[index], y(maximum[index]) - rim);
+  if (isLine) {
+    context.lineWidth = LINE_WIDTH;
+    context.lineJoin = 'round';
+    context.strokeStyle = ink;
+    context.stroke();
+    return;
   }
-  context.lineWidth = 1.35;
-  context.lineJoin = 'round';
-  context.strokeStyle = ink;
-  context.stroke();
+  for (let index = x.length - 1; index >= 0; index--)
+    context.lineTo(x[index], y(minimum[index]) + rim);
+  context.fillStyle = ink;
+  context.fill();
 }

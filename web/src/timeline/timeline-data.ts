@@ -2,6 +2,9 @@
 import type { KeyposeResult } from '../engine/types';
 import { Extremes } from './extremes';
 
+/** Less than a millisecond's work. */
+const BLOCKS_AT_ONCE = 500;
+
 export class TimelineData {
   /** Frames of the keyposes, in time order. */
   readonly frames: Int32Array;
@@ -23,6 +26,18 @@ export class TimelineData {
     this.largestStrength = largest(result.traceIntensities);
     this.speed = new Extremes(result.speed);
     this.trend = new Extremes(result.trend);
+  }
+
+  /** Builds the caches of the series for some milliseconds; whether they are there. They can do without. */
+  build(milliseconds: number): boolean {
+    const end = performance.now() + milliseconds;
+    for (const series of [this.speed, this.trend]) {
+      while (!series.isBuilt) {
+        if (performance.now() >= end) return false;
+        series.build(BLOCKS_AT_ONCE);
+      }
+    }
+    return true;
   }
 
   /** The speed at a frame; undefined where there is none. */

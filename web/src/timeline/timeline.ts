@@ -61,9 +61,9 @@ export interface TimelineEvents {
 /** Properties upon which everything is laid out anew; upon those of `SPAN` the rows are drawn anew. */
 const STILL = ['frames', 'frameTimeS', 'keyposes', 'theme', 'text', 'folded', 'reason'] as const;
 const SPAN = ['span', 'leadingRestFrames'] as const;
-/** The longest that the cache of the series is built at a stretch, and one step of it in blocks. */
+/** Frames from which on a result is made ready in slices, and the longest slice. */
+const LONG = 20_000;
 const BUILD_MS = 10;
-const BUILD_BLOCKS = 2000;
 /** Air around the keyposes of a lozenge that is opened, in parts of their length and in frames. */
 const OPEN_AIR = 0.15;
 const OPEN_FRAMES = 10;
@@ -85,6 +85,8 @@ export class Timeline {
   private readonly stops: (() => void)[] = [];
   private axis = new Axis(0, 0);
   private rows: RowLayout = layoutRows(new Set(), true);
+  /** What `data` was, or is just being, made of. */
+  private source: KeyposeResult | null = null;
   private data: TimelineData | null = null;
   private scene: Scene | null = null;
   private palette: Palette | null = null;
@@ -145,10 +147,7 @@ export class Timeline {
 
   private layout(): void {
     const { keyposes, folded, frames, text, reason } = this.props;
-    if (this.data?.result !== keyposes) {
-      this.data = keyposes === null ? null : new TimelineData(keyposes);
-      this.buildSeries();
-    }
+    if (this.source !== keyposes) this.prepare();
     this.rows = layoutRows(folded, keyposes !== null);
     this.palette = paletteOf(this.root);
     this.root.style.height = `${this.rows.height + 1}px`;
@@ -253,17 +252,25 @@ export class Timeline {
     this.events.onZoom(span);
   }
 
-  /** Builds the cache of the series in slices; until it is there, the values themselves are read. */
-  private buildSeries(): void {
-    const { data } = this;
-    if (data === null) return;
-    const end = performance.now() + BUILD_MS;
-    for (const series of [data.speed, data.trend])
-      while (!series.isBuilt && performance.now() < end) series.build(BUILD_BLOCKS);
-    if (data.speed.isBuilt && data.trend.isBuilt) return;
-    requestAnimationFrame(() => {
-      if (this.data === data) this.buildSeries();
-    });
+  /** Makes ready to draw another result: at once, or slice by slice where it is long. */
+  private prepare(): void {
+    const { keyposes } = this.props;
+    const before = this.source;
+    this.source = keyposes;
+    const isLong = keyposes !== null && keyposes.speed.length > LONG;
+    // While a new result of the same clip is made ready, the old one stays.
+    if (before?.speed.length !== keyposes?.speed.length || !isLong) this.data = null;
+    if (!isLong) this.data = keyposes && new TimelineData(keyposes);
+    else requestAnimationFrame(() => this.buildSlice(keyposes, null));
+  }
+
+  private buildSlice(keyposes: KeyposeResult, begun: TimelineData | null): void {
+    if (this.source !== keyposes) return;
+    const data = begun ?? new TimelineData(keyposes);
+    if (begun !== null && data.build(BUILD_MS)) {
+      this.data = data;
+      this.layout();
+    } else requestAnimationFrame(() => this.buildSlice(keyposes, data));
   }
 
   private get ground(): GestureGround {
