@@ -1,5 +1,6 @@
-// `npm run sizes`: what a visitor downloads. In: dist/. Out: the size of the WebAssembly module and of all
-// that the first screen asks for, as a browser loads it, raw and gzip; exit status 1 above the budgets.
+// `npm run sizes`: what a visitor downloads. In: dist/. Out: the size of the WebAssembly module, of all that
+// the first screen asks for, as a browser loads it, and of what the page fetches ahead for the study once it
+// is idle, raw and gzip; exit status 1 above the budgets.
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -12,16 +13,34 @@ function measured(bytes) {
   return { raw: bytes.length, gzip: gzipSync(bytes).length };
 }
 
-/** The file names, relative to dist/, that a browser loads before the page is idle. */
-function firstScreenFiles() {
+/** The mark that web/src/shell/prefetch.ts sets before it fetches ahead. */
+const prefetchMark = 'keypose.prefetch';
+
+/** File names, relative to dist/: what a browser loads for the first screen, and what it then fetches ahead. */
+function loadedFiles() {
   return withPage({}, async (page, address) => {
-    const files = new Set();
-    page.on('response', (response) => {
-      const { protocol, pathname } = new URL(response.url());
-      if (protocol === 'http:') files.add(pathname.slice(1) || 'index.html');
+    const startedMs = new Map();
+    page.on('request', (request) => {
+      const { protocol, pathname } = new URL(request.url());
+      const file = pathname.slice(1) || 'index.html';
+      if (protocol === 'http:' && !startedMs.has(file)) startedMs.set(file, Date.now());
     });
     await page.goto(address, { waitUntil: 'networkidle' });
-    return [...files].sort();
+    await page.waitForFunction(
+      (mark) => performance.getEntriesByName(mark).length > 0,
+      prefetchMark,
+    );
+    await page.waitForLoadState('networkidle');
+    const markMs = await page.evaluate(
+      (mark) => performance.timeOrigin + performance.getEntriesByName(mark)[0].startTime,
+      prefetchMark,
+    );
+    const files = [...startedMs.keys()].sort();
+    const isAhead = (file) => startedMs.get(file) >= Math.floor(markMs);
+    return {
+      firstScreen: files.filter((file) => !isAhead(file)),
+      ahead: files.filter(isAhead),
+    };
   });
 }
 
@@ -37,10 +56,15 @@ function total(sizes) {
 
 const dist = join(root, 'dist');
 const sizeOf = (file) => measured(readFileSync(join(dist, file)));
-const files = await firstScreenFiles();
-files.forEach((file) => report(file, sizeOf(file)));
-const firstScreen = total(files.map(sizeOf));
-report('FIRST SCREEN', firstScreen);
+const files = await loadedFiles();
+const reported = (title, list) => {
+  list.forEach((file) => report(file, sizeOf(file)));
+  const size = total(list.map(sizeOf));
+  report(title, size);
+  return size;
+};
+const firstScreen = reported('FIRST SCREEN', files.firstScreen);
+reported('FETCHED AHEAD for the study', files.ahead);
 const wasmFiles = readdirSync(dist, { recursive: true }).filter((file) => file.endsWith('.wasm'));
 const wasm = total(wasmFiles.map(sizeOf));
 report('WASM', wasm);

@@ -1,4 +1,5 @@
-// Accessibility as axe-core judges it (WCAG 2.2 A and AA): the empty page and a study, light and dark.
+// Accessibility as axe-core judges it (WCAG 2.2 A and AA): the empty page, a study with
+// every tab, drawers and dialogs, light and dark, in both languages.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { expect, type Page, test } from '@playwright/test';
@@ -23,20 +24,50 @@ async function faults(page: Page): Promise<string[]> {
   );
 }
 
-for (const colorScheme of ['light', 'dark'] as const) {
-  test.describe(colorScheme, () => {
-    test.use({ colorScheme });
-
-    test('the empty page breaks no rule', async ({ page }) => {
-      await page.goto('/?stage=off', { waitUntil: 'networkidle' });
-      expect(await faults(page)).toEqual([]);
-    });
-
-    test('a study breaks no rule', async ({ page }) => {
-      await page.goto('/?stage=off', { waitUntil: 'networkidle' });
-      await page.locator('.sample-open').first().click();
-      await page.getByRole('slider').first().waitFor();
-      expect(await faults(page)).toEqual([]);
-    });
-  });
+/** A study at rest: the sample is read, its figures stand. */
+async function openSample(page: Page): Promise<void> {
+  await page.goto('/?stage=off', { waitUntil: 'networkidle' });
+  await page.locator('.sample-open').first().click();
+  await page.locator('.keypose-card .figure').first().waitFor();
 }
+
+for (const colorScheme of ['light', 'dark'] as const)
+  for (const locale of ['en-GB', 'ja-JP']) {
+    test.describe(`${colorScheme}, ${locale}`, () => {
+      test.use({ colorScheme, locale });
+
+      test('the empty page breaks no rule', async ({ page }) => {
+        await page.goto('/?stage=off', { waitUntil: 'networkidle' });
+        expect(await faults(page)).toEqual([]);
+      });
+
+      test('a study breaks no rule, with every tab, the loop, the list of keys and a menu', async ({
+        page,
+      }) => {
+        await openSample(page);
+        for (const key of ['Home', '[', 'k', 'k', ']', 'z']) await page.keyboard.press(key);
+        const tabs = page.locator('#inspector [role="tab"]');
+        const count = await tabs.count();
+        for (let index = 0; index < count; index++) {
+          await tabs.nth(index).click();
+          expect(await faults(page)).toEqual([]);
+        }
+        await page.locator('[popovertarget="speed-menu"]').click();
+        expect(await faults(page)).toEqual([]);
+        await page.keyboard.press('Escape');
+        await page.keyboard.press('?');
+        expect(await faults(page)).toEqual([]);
+      });
+
+      test('drawers break no rule', async ({ page }) => {
+        await page.setViewportSize({ width: 800, height: 600 });
+        await openSample(page);
+        for (const panel of ['panel-left', 'panel-right']) {
+          await page.locator(`.top-bar .icon-button:has(.icon-${panel})`).click();
+          await page.locator('.drawer:visible').waitFor();
+          expect(await faults(page)).toEqual([]);
+          await page.keyboard.press('Escape');
+        }
+      });
+    });
+  }

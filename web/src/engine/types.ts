@@ -70,12 +70,7 @@ type ArmState = 'raised' | 'stretched' | 'forward' | 'back' | 'crossed' | 'bent'
 type LegState = 'high' | 'raised' | 'lifted' | 'bent';
 
 type TrunkState =
-  | 'leaning-forward'
-  | 'leaning-back'
-  | 'leaning-left'
-  | 'leaning-right'
-  | 'lying'
-  | 'upright';
+  'leaning-forward' | 'leaning-back' | 'leaning-left' | 'leaning-right' | 'lying' | 'upright';
 
 /** What a pose looks like: a part of the body and what it does, in words of the catalogue. */
 export type PostureWord =

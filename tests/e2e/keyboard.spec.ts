@@ -1,0 +1,112 @@
+/** The whole page without a pointer: every control is reached by Tab, and its ring is seen. */
+import type { Locator, Page } from '@playwright/test';
+import { expect, test } from './support/test';
+
+/** Presses Tab until the control has the focus, which must then be seen. */
+async function reach(page: Page, control: Locator, key = 'Tab'): Promise<void> {
+  await control.waitFor();
+  for (let n = 0; n < 200; n++) {
+    const focused = await control.evaluate((element) => element === document.activeElement);
+    if (focused) return expect.poll(() => hasRing(control)).toBe(true);
+    await page.keyboard.press(key);
+  }
+  throw new Error(`${String(control)} is not reached by ${key}`);
+}
+
+/** An outline on the control itself or, for fields, on what holds it. */
+const hasRing = (control: Locator): Promise<boolean> =>
+  control.evaluate((element) =>
+    [element, element.parentElement, element.closest('label')].some((one) => {
+      const { outlineStyle, outlineWidth } = one
+        ? getComputedStyle(one)
+        : getComputedStyle(element);
+      return outlineStyle !== 'none' && parseFloat(outlineWidth) >= 2;
+    }),
+  );
+
+test('open, play, step, loop, zoom, set a parameter, export, sort, help, all by keys', async ({
+  app,
+  page,
+}) => {
+  test.setTimeout(120_000);
+  await app.open();
+  await reach(page, page.locator('.sample-open').nth(1));
+  await page.keyboard.press('Enter');
+  await app.settled();
+  const press = async (...keys: string[]): Promise<void> => {
+    for (const key of keys) await page.keyboard.press(key);
+  };
+
+  await test.step('the transport, by its buttons', async () => {
+    await reach(page, app.button('Play'));
+    await press('Enter');
+    await expect.poll(() => app.frame()).toBeGreaterThan(3);
+    await press('Enter');
+    await expect(app.button('Play')).toBeFocused();
+    await press('Home');
+    await app.expectFrame(0);
+    await reach(page, app.button('One frame on'));
+    await press(' ');
+    await app.expectFrame(1);
+    await reach(page, app.button('Next keypose'));
+    await press('Enter');
+    await expect(app.caption).toContainText('Keypose 1 of');
+    await press('[', 'k', 'k', ']');
+    await reach(page, page.locator('.loop'));
+    await expect(page.locator('.loop')).toHaveAttribute('aria-pressed', 'true');
+    await press('Enter');
+    await expect(page.locator('.loop')).toHaveAttribute('aria-pressed', 'false');
+    await reach(page, app.button('Clear A–B'));
+    await press('Enter');
+    await expect(page.locator('.loop')).toHaveText('Loop');
+    await reach(page, app.button('Zoom in'));
+    await press('Enter', 'Enter');
+    await reach(page, app.button('Show the whole clip'));
+    await press('Enter');
+    await expect(app.button('Show the whole clip')).toBeDisabled();
+  });
+
+  await test.step('strip and timeline: one stop each for cards, pins and playhead', async () => {
+    await reach(page, page.locator('.keypose-card.current'));
+    await press('ArrowRight');
+    await expect(page.locator('.keypose-card.current')).toBeFocused();
+    await reach(page, app.section('Timeline').getByRole('slider', { name: 'Playhead' }));
+    const before = await app.frame();
+    await press('ArrowRight');
+    await app.expectFrame(before + 1);
+  });
+
+  await test.step('a parameter and an export', async () => {
+    await reach(page, page.locator('#inspector [role="tab"][aria-selected="true"]'));
+    const keyposes = await page.locator('.strip-count').innerText();
+    const field = page.locator('#inspector input').first();
+    await reach(page, field);
+    await press('Control+a');
+    await page.keyboard.type('4');
+    await press('Enter');
+    await app.settled();
+    await expect.poll(() => page.locator('.strip-count').innerText()).not.toBe(keyposes);
+    await press('Tab', 'Control+z');
+    await app.settled();
+    await expect.poll(() => page.locator('.strip-count').innerText()).toBe(keyposes);
+    await reach(page, page.locator('#inspector [role="tab"][aria-selected="true"]'), 'Shift+Tab');
+    await press('End');
+    const download = page.waitForEvent('download');
+    await reach(page, page.locator('#inspector .export button').first());
+    await press('Enter');
+    expect((await download).suggestedFilename()).toMatch(/\.keyposes\.csv$/);
+  });
+
+  await test.step('library, language and help', async () => {
+    await reach(page, app.button('Sort'));
+    await press('Enter');
+    await expect(page.getByRole('menuitemradio', { name: 'Order of arrival' })).toBeFocused();
+    await press('Escape');
+    await press('?');
+    await expect(page.getByRole('dialog', { name: 'Keyboard shortcuts' })).toBeVisible();
+    await press('Escape');
+    await reach(page, page.getByRole('button', { name: '日本語' }));
+    await press('Enter');
+    await expect(page.locator('html')).toHaveAttribute('lang', 'ja');
+  });
+});
