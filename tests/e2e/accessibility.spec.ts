@@ -44,6 +44,7 @@ for (const colorScheme of ['light', 'dark'] as const)
       test('a study breaks no rule, with every tab, the loop, the list of keys and a menu', async ({
         page,
       }) => {
+        test.setTimeout(240_000);
         await openSample(page);
         for (const key of ['Home', '[', 'k', 'k', ']', 'z']) await page.keyboard.press(key);
         const tabs = page.locator('#inspector [role="tab"]');
@@ -60,6 +61,7 @@ for (const colorScheme of ['light', 'dark'] as const)
       });
 
       test('drawers break no rule', async ({ page }) => {
+        test.setTimeout(120_000);
         await page.setViewportSize({ width: 800, height: 600 });
         await openSample(page);
         for (const panel of ['panel-left', 'panel-right']) {
