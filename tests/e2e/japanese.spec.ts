@@ -9,7 +9,7 @@ const same = [
   /\b(BVH|CSV|JSON|CMU|ANOVA|OFFSET|CHANNELS|ROOT|HIERARCHY|MOTION|GitHub)\b/g,
   /\bMiura et al\. 2014\b/g,
   /\b(Ward|Mojena)\b/g,
-  /--(csv|json)\b/g,
+  /--(csv|json|candidates|traces)\b/g,
   /\bkeyposes\b/g,
   /\b(English|Home|End|Shift|Ctrl|Delete|Esc|Enter|Space)\b/g,
   /\b(Hz|kB|MB|cm|mm|dm)\b/g,

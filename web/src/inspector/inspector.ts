@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { InspectorTab } from '../app/store';
 import type { ClipResult } from '../engine/types';
+import { performerLetter } from '../figure/performer-letter';
 import { body, type BodyProps } from './body';
 import { doctor, type DoctorProps } from './doctor';
 import { exportSection, type ExportProps } from './export';
@@ -52,7 +53,7 @@ function performerChoice(props: InspectorProps): TemplateResult | typeof nothing
     value: String(performerIndex),
     options: result.performers.map((_, index) => [
       String(index),
-      t('recording.performer.number', index + 1),
+      t('recording.performer.number', performerLetter(index)),
     ]),
     onValue: (value) => onPerformer(Number(value)),
   });

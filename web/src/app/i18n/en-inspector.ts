@@ -166,12 +166,14 @@ export const englishInspector = {
   'role.pelvis': 'Pelvis',
 
   'export.keyposes': 'Keyposes',
-  'export.keyposes.about': 'Frame, time and intensity; as JSON with body, notes and parameters.',
+  'export.keyposes.about':
+    'Frame, time, intensity, body parts, posture; as JSON with body and notes.',
   'export.candidates': 'Candidates',
   'export.candidates.about':
-    'Every minimum of the speed, with its intensity and what became of it.',
+    'Every minimum of the speed: intensity, rank, whether it is a keypose.',
   'export.traces': 'Traces',
-  'export.traces.about': 'Each candidate over the time scales: scale, frame and u.',
+  'export.traces.about': 'Each candidate over the time scales: scale, frame, place and u.',
   'export.what': '{0}, {1}',
-  'export.same': 'The command line writes the same bytes: keypose keyposes --csv or --json.',
+  'export.same':
+    'The command line writes the same bytes: keypose keyposes --csv or --json, with --candidates or --traces.',
 } as const satisfies Record<string, string | { readonly one: string; readonly other: string }>;

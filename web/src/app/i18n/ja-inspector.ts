@@ -165,11 +165,12 @@ export const japaneseInspector: Readonly<Record<keyof typeof englishInspector, M
   'role.pelvis': '骨盤',
 
   'export.keyposes': 'キーポーズ',
-  'export.keyposes.about': 'フレーム、時刻、強度。JSON には体、注記、パラメーターも。',
+  'export.keyposes.about': 'フレーム、時刻、強度、体の部分、姿勢。JSON には体と注記も。',
   'export.candidates': '候補',
-  'export.candidates.about': '速度の極小のすべてと、その強度、選ばれたかどうか。',
+  'export.candidates.about': '速度の極小のすべて：強度、順位、キーポーズかどうか。',
   'export.traces': '軌跡',
-  'export.traces.about': '時間スケールごとの候補：スケール、フレーム、u。',
+  'export.traces.about': '時間スケールごとの候補：スケール、フレーム、位置、u。',
   'export.what': '{0}、{1}',
-  'export.same': 'コマンド keypose keyposes --csv / --json と 1 バイトも違いません。',
+  'export.same':
+    'コマンド keypose keyposes --csv / --json（--candidates、--traces）と 1 バイトも違いません。',
 };
