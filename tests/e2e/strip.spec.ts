@@ -33,7 +33,7 @@ test('the most intense that fit, in time order; their texts stay in their cards'
   await expect(strip.locator('.keypose-card .figure')).toHaveCount(shown);
 
   const overflow = await cards.evaluateAll((buttons) => {
-    const area = buttons[0]!.closest('.strip-area')!.getBoundingClientRect();
+    const area = buttons[0].closest('.strip-area')!.getBoundingClientRect();
     return buttons.filter((button) => {
       const card = button.getBoundingClientRect();
       const range = document.createRange();
@@ -47,10 +47,10 @@ test('the most intense that fit, in time order; their texts stay in their cards'
   // The arrow keys go through all of them, shown or not.
   await cards.first().focus();
   await page.keyboard.press('Enter');
-  await app.expectFrame(frames[numbers[0]! - 1] ?? -1);
+  await app.expectFrame(frames[numbers[0] - 1] ?? -1);
   for (let step = 0; step < 6; step++) {
     await page.keyboard.press('ArrowRight');
-    await app.expectFrame(frames[numbers[0]! + step] ?? -1);
+    await app.expectFrame(frames[numbers[0] + step] ?? -1);
     await expect(page.locator('.keypose-card.current')).toBeFocused();
     await expect(page.locator('.keypose-card.current .figure')).toBeAttached();
   }

@@ -58,6 +58,17 @@ export function withShortRow(id: string): { text: string; line: number } {
   return { text: lines.join('\n'), line: index + 1 };
 }
 
+/** A sample after one frame in which every value is zero: its rest pose. */
+export function withRestPose(id: string): string {
+  const text = sampleText(id);
+  const at = rowsAt(text);
+  const width = text.slice(at).split('\n')[0]?.trim().split(/\s+/).length ?? 0;
+  const more = text
+    .slice(0, at)
+    .replace(/Frames:\s*(\d+)/, (_, count: string) => `Frames: ${Number(count) + 1}`);
+  return `${more}${Array(width).fill('0').join(' ')}\n${text.slice(at)}`;
+}
+
 /** A few frames of one joint and its end: read in no time, and not human. */
 export function tinyBvh(frames: number): string {
   const rows = Array.from(

@@ -112,7 +112,7 @@ function rangeRow(props: MethodProps): TemplateResult {
     control: html`<span class="value-pair" role="group" aria-label=${label}
       >${field(props, 'scaleMaxHz')}${field(props, 'scaleMinHz')}</span
     >`,
-    wrong: wrongIn(props, 'scaleMaxHz') ?? wrongIn(props, 'scaleMinHz'),
+    wrong: [wrongIn(props, 'scaleMaxHz'), wrongIn(props, 'scaleMinHz')].filter(Boolean).join(' '),
   });
 }
 
