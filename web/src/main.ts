@@ -17,9 +17,11 @@ import { listenToKeys } from './player/keys';
 import { createPlayback } from './player/playback';
 import { runCommand } from './shell/commands';
 import { listenToDrops } from './shell/drop';
+import { tellErrors } from './shell/errors';
 import { layOut } from './shell/layout';
 import { mountPage } from './shell/page';
 import { createPicker } from './shell/pick';
+import { prefetchStudy } from './shell/prefetch';
 import { installTips } from './shell/tips';
 
 function createContext(): Context {
@@ -47,12 +49,14 @@ function createContext(): Context {
 function start(root: HTMLElement): void {
   const context = createContext();
   const { store, actions } = context;
+  const stageOff = new URLSearchParams(location.search).get('stage') === 'off';
+  tellErrors(window, context);
   learnDefaults(context.engine, store);
   installIcons(document.body);
   installTips(document.body);
   followOpenClip(store, context.playback, context.engine);
   mountPage(layOut(root), context, {
-    off: new URLSearchParams(location.search).get('stage') === 'off',
+    off: stageOff,
     reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches,
   });
   listenToKeys(document, (command) => runCommand(context, command));
@@ -62,6 +66,7 @@ function start(root: HTMLElement): void {
     },
     onDrop: (given) => actions.take(given),
   });
+  if (!stageOff) prefetchStudy(context.engine);
 }
 
 const root = document.querySelector<HTMLElement>('#app');

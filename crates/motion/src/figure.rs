@@ -1,30 +1,52 @@
-//! How a clip is pictured: the side from which its poses are widest, and the pose of its thumbnail.
+//! How a clip is pictured: poses go in one by one; the side from which they are widest, and the one
+//! of the thumbnail, come out.
 
 use nalgebra::Vector3;
 
-use crate::track::PelvisTrack;
 use crate::world::Up;
 
 /// Yaws that are tried over half a turn.
 const YAWS: usize = 24;
 
-/// The yaw, in radians from 0 to below π, from which the outlines of `poses` are widest in sum.
-///
-/// Each pose is x, y, z of one joint after the other in the world. Of equally wide yaws the
-/// smallest.
-pub fn widest_side_yaw(poses: &[&[f64]], up: Up) -> f64 {
-    let [right, quarter] = up.level_axes();
-    let mut best = (0.0, f64::NEG_INFINITY);
-    for step in 0..YAWS {
-        let yaw = core::f64::consts::PI * step as f64 / YAWS as f64;
-        let (sine, cosine) = libm::sincos(yaw);
-        let across = right * cosine + quarter * sine;
-        let width: f64 = poses.iter().map(|pose| width(pose, across)).sum();
-        if width > best.1 {
-            best = (yaw, width);
+/// The yaw, in radians from 0 to below π, from which the outlines of some poses are widest in sum.
+#[derive(Clone, Debug)]
+pub struct WidestSide {
+    /// For each yaw that is tried the direction across, and the widths so far.
+    tried: [(Vector3<f64>, f64); YAWS],
+}
+
+impl WidestSide {
+    /// The widest side of poses in a world with this up axis.
+    pub fn new(up: Up) -> Self {
+        let [right, quarter] = up.level_axes();
+        let across = |step: usize| {
+            let (sine, cosine) = libm::sincos(yaw_rad(step));
+            (right * cosine + quarter * sine, 0.0)
+        };
+        Self {
+            tried: core::array::from_fn(across),
         }
     }
-    best.0
+
+    /// Takes a pose: x, y, z of one joint after the other in the world.
+    pub fn add(&mut self, pose: &[f64]) {
+        for (across, sum) in &mut self.tried {
+            *sum += width(pose, *across);
+        }
+    }
+
+    /// The yaw; of equally wide ones the smallest.
+    pub fn yaw_rad(&self) -> f64 {
+        let wider = |best: usize, step: usize| match self.tried[step].1 > self.tried[best].1 {
+            true => step,
+            false => best,
+        };
+        yaw_rad((0..YAWS).fold(0, wider))
+    }
+}
+
+fn yaw_rad(step: usize) -> f64 {
+    core::f64::consts::PI * step as f64 / YAWS as f64
 }
 
 /// The extent of a pose's joints along a direction.
@@ -36,41 +58,25 @@ fn width(pose: &[f64], across: Vector3<f64>) -> f64 {
     if most >= least { most - least } else { 0.0 }
 }
 
-/// The frame of the file that pictures a clip: the keypose (a frame of the file) whose coordinates are farthest from the
-/// clip's mean, without keyposes that frame of all. Of equals the first; none without frames.
-pub fn thumbnail_frame(track: &PelvisTrack, keyposes: &[usize]) -> Option<usize> {
-    let mean = mean(track);
-    let distance = |frame: usize| -> f64 {
-        let pairs = track.frame(frame).iter().zip(&mean);
-        pairs
-            .map(|(value, mean)| (value - mean) * (value - mean))
-            .sum()
-    };
-    let last = track.first_frame + track.frames();
-    let inside = |frame: &usize| (track.first_frame..last).contains(frame);
-    let mut chosen: Vec<usize> = keyposes.iter().copied().filter(inside).collect();
-    if chosen.is_empty() {
-        chosen = (track.first_frame..last).collect();
-    }
-    let mut best: Option<(usize, f64)> = None;
-    for frame in chosen {
-        let far = distance(frame - track.first_frame);
-        if best.is_none_or(|(_, most)| far > most) {
-            best = Some((frame, far));
-        }
-    }
-    best.map(|(frame, _)| frame)
-}
+/// The pose farthest from the mean of its motion, which pictures it. Of equals the first.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FarthestPose(Option<(usize, f64)>);
 
-fn mean(track: &PelvisTrack) -> Vec<f64> {
-    let mut sum = vec![0.0; 3 * track.joint_count];
-    for frame in 0..track.frames() {
-        for (sum, value) in sum.iter_mut().zip(track.frame(frame)) {
-            *sum += value;
+impl FarthestPose {
+    /// Takes the coordinates of a frame, and the mean of all.
+    pub fn add(&mut self, frame: usize, coordinates: &[f64], mean: &[f64]) {
+        let pairs = coordinates.iter().zip(mean);
+        let squares = pairs.map(|(value, mean)| (value - mean) * (value - mean));
+        let distance: f64 = squares.sum();
+        if self.0.is_none_or(|(_, most)| distance > most) {
+            self.0 = Some((frame, distance));
         }
     }
-    let count = track.frames().max(1) as f64;
-    sum.into_iter().map(|sum| sum / count).collect()
+
+    /// Its frame; none without poses.
+    pub fn frame(&self) -> Option<usize> {
+        self.0.map(|(frame, _)| frame)
+    }
 }
 
 #[cfg(test)]
@@ -81,24 +87,24 @@ mod tests {
     fn the_widest_side_looks_across_the_pose() {
         let along_x = [0.0, 0.0, 0.0, 2.0, 5.0, 0.0];
         let along_z = [0.0, 0.0, 0.0, 0.0, 5.0, 2.0];
-        let yaw = |pose: &[f64]| widest_side_yaw(&[pose], Up::PLUS_Y);
-        assert_eq!(yaw(&along_x), 0.0);
-        assert_eq!(yaw(&along_z), core::f64::consts::FRAC_PI_2);
-        assert_eq!(widest_side_yaw(&[], Up::PLUS_Y), 0.0);
+        let yaw = |poses: &[[f64; 6]]| {
+            let mut side = WidestSide::new(Up::PLUS_Y);
+            poses.iter().for_each(|pose| side.add(pose));
+            side.yaw_rad()
+        };
+        assert_eq!(yaw(&[along_x]), 0.0);
+        assert_eq!(yaw(&[along_z]), core::f64::consts::FRAC_PI_2);
+        assert_eq!(yaw(&[along_x, along_z]), core::f64::consts::FRAC_PI_4);
+        assert_eq!(yaw(&[]), 0.0);
     }
 
     #[test]
-    fn the_thumbnail_is_the_keypose_farthest_from_the_mean() {
-        let track = PelvisTrack {
-            coordinates: [0.0, 1.0, 0.0, 9.0, 0.0]
-                .iter()
-                .flat_map(|x| [*x, 0.0, 0.0])
-                .collect(),
-            joint_count: 1,
-            first_frame: 10,
-        };
-        assert_eq!(thumbnail_frame(&track, &[]), Some(13));
-        assert_eq!(thumbnail_frame(&track, &[11, 12]), Some(12));
-        assert_eq!(thumbnail_frame(&track, &[99]), Some(13));
+    fn the_farthest_pose_is_the_first_of_equals() {
+        let mut farthest = FarthestPose::default();
+        assert_eq!(farthest.frame(), None);
+        for (frame, x) in [(10, 1.0), (11, 9.0), (12, -5.0), (13, 0.0)] {
+            farthest.add(frame, &[x, 0.0], &[2.0, 0.0]);
+        }
+        assert_eq!(farthest.frame(), Some(11));
     }
 }

@@ -35,40 +35,46 @@ pub fn lambda_of_cutoff(cutoff_hz: f64, rate_hz: f64) -> f64 {
 ///
 /// A cut-off at or above half the rate leaves the signal as it is.
 pub fn low_pass(signal: &[f64], cutoff_hz: f64, rate_hz: f64) -> Vec<f64> {
-    let mut filtered = signal.to_vec();
-    if cutoff_hz < rate_hz / 2.0 {
-        Filter::new(signal.len(), lambda_of_cutoff(cutoff_hz, rate_hz))
-            .apply(signal, &mut filtered);
-    }
-    filtered
+    let mut run = LowPass::new(signal.len(), cutoff_hz, rate_hz);
+    while !run.advance(signal, usize::MAX) {}
+    run.finish()
 }
 
-/// The filter of one λ for signals of one length.
+/// [`low_pass`] cut into steps.
 #[derive(Clone, Debug)]
-pub struct Filter {
-    lanes: LaneFilter<1>,
+pub struct LowPass {
+    /// None: the cut-off leaves the signal as it is.
+    filter: Option<LaneFilter<1>>,
+    solution: Solution<1>,
 }
 
-impl Filter {
-    /// Factorises the system for signals of `len` samples.
-    pub fn new(len: usize, lambda: f64) -> Self {
-        Self {
-            lanes: LaneFilter::new(len, [lambda]),
+impl LowPass {
+    /// Makes ready for a signal of `len` samples.
+    pub fn new(len: usize, cutoff_hz: f64, rate_hz: f64) -> Self {
+        let filter = (cutoff_hz < rate_hz / 2.0)
+            .then(|| LaneFilter::new(len, [lambda_of_cutoff(cutoff_hz, rate_hz)]));
+        let mut solution = Solution::default();
+        if let Some(filter) = &filter {
+            filter.start(&mut solution);
+        }
+        Self { filter, solution }
+    }
+
+    /// Works for `budget` rows, always on the same `signal`; a signal of N samples takes 3 N rows.
+    /// True when done.
+    pub fn advance(&mut self, signal: &[f64], budget: usize) -> bool {
+        match &self.filter {
+            Some(filter) => filter.advance(&Repeated(signal), &mut self.solution, budget),
+            None => {
+                self.solution.dual = signal.iter().map(|sample| [*sample]).collect();
+                true
+            }
         }
     }
 
-    /// Writes the filtered `signal` to `out`.
-    ///
-    /// # Panics
-    /// If `signal` is shorter than the length given to [`Filter::new`].
-    pub fn apply(&self, signal: &[f64], out: &mut [f64]) {
-        let mut solution = Solution::default();
-        self.lanes.start(&mut solution);
-        self.lanes
-            .advance(&Repeated(signal), &mut solution, usize::MAX);
-        for (sample, row) in out.iter_mut().zip(solution.rows()) {
-            *sample = row[0];
-        }
+    /// The filtered signal, once [`LowPass::advance`] has said true.
+    pub fn finish(self) -> Vec<f64> {
+        self.solution.dual.into_flattened()
     }
 }
 
@@ -115,8 +121,7 @@ impl<const L: usize> LaneFilter<L> {
 
     /// Makes `solution` ready for new samples, reusing its memory.
     pub fn start(&self, solution: &mut Solution<L>) {
-        solution.dual.resize(self.len, [0.0; L]);
-        solution.partial.resize(self.len, [0.0; L]);
+        solution.begin(self.len);
         solution.carry = [[0.0; L]; 6];
         solution.position = 0;
         solution.pass = if self.len < 3 {
@@ -138,6 +143,7 @@ impl<const L: usize> LaneFilter<L> {
         while left > 0 && solution.pass != Pass::Done {
             let end = solution.len().min(solution.position.saturating_add(left));
             left -= end - solution.position;
+            solution.reach(end);
             match solution.pass {
                 Pass::Copy => solution.copy(samples, end),
                 Pass::Eliminate => self.eliminate(samples, solution, end),
@@ -300,6 +306,7 @@ enum Pass {
 /// Scratch space and, in the end, result of a [`LaneFilter`]: two tables of N × `L` numbers.
 #[derive(Clone, Debug)]
 pub struct Solution<const L: usize> {
+    len: usize,
     dual: Vec<[f64; L]>,
     partial: Vec<[f64; L]>,
     carry: [[f64; L]; 6],
@@ -310,6 +317,7 @@ pub struct Solution<const L: usize> {
 impl<const L: usize> Default for Solution<L> {
     fn default() -> Self {
         Self {
+            len: 0,
             dual: Vec::new(),
             partial: Vec::new(),
             carry: [[0.0; L]; 6],
@@ -326,7 +334,25 @@ impl<const L: usize> Solution<L> {
     }
 
     fn len(&self) -> usize {
-        self.dual.len()
+        self.len
+    }
+
+    /// Room for `len` samples.
+    fn begin(&mut self, len: usize) {
+        self.len = len;
+        for table in [&mut self.dual, &mut self.partial] {
+            table.truncate(len);
+            table.reserve_exact(len - table.len());
+        }
+    }
+
+    /// The first pass goes up through the tables and fills them on its way: to fill them whole
+    /// would be a step too long.
+    fn reach(&mut self, end: usize) {
+        if self.dual.len() < end {
+            self.dual.resize(end, [0.0; L]);
+            self.partial.resize(end, [0.0; L]);
+        }
     }
 
     fn copy<R: Rows<L>>(&mut self, samples: &R, end: usize) {

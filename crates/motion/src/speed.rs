@@ -33,10 +33,12 @@ pub fn motion_speed(track: &PelvisTrack, frame_rate_hz: f64, cutoff_hz: f64) -> 
     run.finish()
 }
 
-/// The slow part of a speed, drawn beside it (default cut-off
-/// [`crate::keypose::Options::trend_hz`]).
-pub fn trend(speed: &[f64], frame_rate_hz: f64, cutoff_hz: f64) -> Vec<f64> {
-    hodrick_prescott::low_pass(speed, cutoff_hz, frame_rate_hz)
+/// What is done with eight columns, and as far as which row it is done.
+#[derive(Clone, Copy, Debug)]
+enum Stage {
+    Gather(usize),
+    Filter,
+    Add(usize),
 }
 
 /// The computation of a motion speed, cut into steps.
@@ -49,8 +51,7 @@ pub struct SpeedRun {
     filter: Option<LaneFilter<LANES>>,
     solution: Solution<LANES>,
     first_column: usize,
-    /// Whether the columns from there on lie in `columns`.
-    are_gathered: bool,
+    stage: Stage,
     /// The columns in work, gathered from the track; those beyond its width are zero.
     columns: Vec<[f64; LANES]>,
     /// Σ of the squared steps of the columns done so far, one a frame step.
@@ -72,8 +73,8 @@ impl SpeedRun {
             filter,
             solution: Solution::default(),
             first_column: 0,
-            are_gathered: false,
-            columns: vec![[0.0; LANES]; track.frames()],
+            stage: Stage::Gather(0),
+            columns: Vec::with_capacity(track.frames()),
             squares: vec![0.0; track.frames().saturating_sub(1)],
             part_squares: Vec::new(),
         }
@@ -87,24 +88,16 @@ impl SpeedRun {
         self
     }
 
-    /// Works for `budget` rows of a pass over eight columns (three passes make a filter), or makes
-    /// ready the next eight; always with the track of [`SpeedRun::new`]. True when done.
+    /// Works for `budget` rows of eight columns: they are gathered, filtered in three passes, and
+    /// their steps added. Always with the track of [`SpeedRun::new`]. True when done.
     pub fn advance(&mut self, track: &PelvisTrack, budget: usize) -> bool {
         if self.is_done() {
             return true;
         }
-        if !self.are_gathered {
-            self.gather(track);
-            return false;
-        }
-        let are_filtered = match &self.filter {
-            Some(filter) => filter.advance(&self.columns, &mut self.solution, budget),
-            None => true,
-        };
-        if are_filtered {
-            self.add_squared_steps();
-            self.first_column += LANES;
-            self.are_gathered = false;
+        match self.stage {
+            Stage::Gather(row) => self.gather(track, row, budget),
+            Stage::Filter => self.filter(budget),
+            Stage::Add(step) => self.add_squared_steps(step, budget),
         }
         self.is_done()
     }
@@ -135,36 +128,61 @@ impl SpeedRun {
     }
 
     /// Gathers the next columns: side by side in memory they are filtered several times as fast.
-    fn gather(&mut self, track: &PelvisTrack) {
+    fn gather(&mut self, track: &PelvisTrack, row: usize, budget: usize) {
+        if row == 0 {
+            self.columns.clear();
+        }
         let used = LANES.min(self.width - self.first_column);
         let frames = track.coordinates.chunks_exact(self.width);
-        for (row, frame) in self.columns.iter_mut().zip(frames) {
-            row[..used].copy_from_slice(&frame[self.first_column..self.first_column + used]);
-            row[used..].fill(0.0);
+        let end = row.saturating_add(budget).min(track.frames());
+        for frame in frames.skip(row).take(end - row) {
+            let mut lanes = [0.0; LANES];
+            lanes[..used].copy_from_slice(&frame[self.first_column..self.first_column + used]);
+            self.columns.push(lanes);
         }
-        if let Some(filter) = &self.filter {
-            filter.start(&mut self.solution);
+        self.stage = Stage::Gather(end);
+        if end == track.frames() {
+            if let Some(filter) = &self.filter {
+                filter.start(&mut self.solution);
+            }
+            self.stage = Stage::Filter;
         }
-        self.are_gathered = true;
     }
 
-    fn add_squared_steps(&mut self) {
+    fn filter(&mut self, budget: usize) {
+        let is_filtered = match &self.filter {
+            Some(filter) => filter.advance(&self.columns, &mut self.solution, budget),
+            None => true,
+        };
+        if is_filtered {
+            self.stage = Stage::Add(0);
+        }
+    }
+
+    fn add_squared_steps(&mut self, first: usize, budget: usize) {
         let rows = match &self.filter {
             Some(_) => self.solution.rows(),
             None => &self.columns,
         };
-        for (square, pair) in self.squares.iter_mut().zip(rows.windows(2)) {
+        let end = first.saturating_add(budget).min(self.squares.len());
+        let pairs = || rows[first..=end].windows(2);
+        for (square, pair) in self.squares[first..end].iter_mut().zip(pairs()) {
             for (next, last) in pair[1].iter().zip(&pair[0]) {
                 let step = next - last;
                 *square += step * step;
             }
         }
         let part_of_lane = part_of_lane(self.first_column);
-        for (squares, pair) in self.part_squares.iter_mut().zip(rows.windows(2)) {
+        for (squares, pair) in self.part_squares.iter_mut().skip(first).zip(pairs()) {
             for (lane, part) in part_of_lane.iter().enumerate() {
                 let step = pair[1][lane] - pair[0][lane];
                 squares[*part] += step * step;
             }
+        }
+        self.stage = Stage::Add(end);
+        if end == self.squares.len() {
+            self.first_column += LANES;
+            self.stage = Stage::Gather(0);
         }
     }
 }
@@ -297,13 +315,5 @@ mod tests {
             let speed = motion_speed(&random_track(frames, joints), 120.0, 10.0);
             assert_eq!(speed.values, [0.0; 0]);
         }
-    }
-
-    #[test]
-    fn the_trend_is_the_slow_part() {
-        let wave = |n: usize| 2.0 + libm::cos(n as f64);
-        let speed: Vec<f64> = (0..1000).map(wave).collect();
-        let trend = trend(&speed, 120.0, 0.5);
-        assert!((trend[500] - 2.0).abs() < 1e-3);
     }
 }

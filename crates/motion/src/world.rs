@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::body::PoseTable;
+use crate::body::Footing;
 use crate::skeleton::Axis;
 
 /// The smallest share of the mean trunk along one axis that makes it the up axis.
@@ -106,8 +106,8 @@ impl Up {
 ///
 /// None where it is below 0.7 of the mean's length, or the body not human: then
 /// [`Up::PLUS_Y`] is assumed, with a note.
-pub fn up_axis(table: &PoseTable) -> Option<Up> {
-    let mean = table.trunk;
+pub fn up_axis(footing: &Footing) -> Option<Up> {
+    let mean = footing.trunk;
     let mut best = (Axis::Y, 0.0_f64);
     for axis in [Axis::X, Axis::Y, Axis::Z] {
         let value = mean[axis.index()];
@@ -125,13 +125,13 @@ pub fn up_axis(table: &PoseTable) -> Option<Up> {
 
 /// The height of the ground along `up`, in file units: the 5th percentile over the frames of the
 /// lowest ankle or toe (of any joint if the body is not human). 0 without frames.
-pub fn ground_height(table: &PoseTable, up: Up) -> f64 {
+pub fn ground_height(footing: &Footing, up: Up) -> f64 {
     let axis = up.axis.index();
     let lowest = |extent: &[f64; 6]| match up.is_negative {
         true => -extent[axis + 3],
         false => extent[axis],
     };
-    let mut heights: Vec<f64> = table.feet.iter().map(lowest).collect();
+    let mut heights: Vec<f64> = footing.feet.iter().map(lowest).collect();
     percentile(&mut heights, BELOW_GROUND)
 }
 
@@ -229,14 +229,14 @@ mod tests {
 
     #[test]
     fn up_is_the_axis_of_the_trunk() {
-        let table = |x, y, z| PoseTable {
+        let leaning = |x, y, z| Footing {
             trunk: Vector3::new(x, y, z),
-            ..PoseTable::default()
+            ..Footing::default()
         };
-        assert_eq!(up_axis(&table(0.1, 3.0, 0.0)), Some(Up::PLUS_Y));
-        assert_eq!(up_axis(&table(0.1, 0.0, -2.0)).map(Up::name), Some("-Z"));
-        assert_eq!(up_axis(&table(1.0, 1.0, 1.0)), None);
-        assert_eq!(up_axis(&table(0.0, 0.0, 0.0)), None);
+        assert_eq!(up_axis(&leaning(0.1, 3.0, 0.0)), Some(Up::PLUS_Y));
+        assert_eq!(up_axis(&leaning(0.1, 0.0, -2.0)).map(Up::name), Some("-Z"));
+        assert_eq!(up_axis(&leaning(1.0, 1.0, 1.0)), None);
+        assert_eq!(up_axis(&leaning(0.0, 0.0, 0.0)), None);
     }
 
     #[test]
@@ -244,17 +244,17 @@ mod tests {
         let feet = (0..=100)
             .rev()
             .map(|n| [0.0, f64::from(n), 0.0, 0.0, f64::from(n) + 7.0, 0.0]);
-        let table = PoseTable {
+        let footing = Footing {
             feet: feet.collect(),
-            ..PoseTable::default()
+            ..Footing::default()
         };
-        assert_eq!(ground_height(&table, Up::PLUS_Y), 5.0);
+        assert_eq!(ground_height(&footing, Up::PLUS_Y), 5.0);
         let down = Up {
             axis: Axis::Y,
             is_negative: true,
         };
-        assert_eq!(ground_height(&table, down), -102.0);
-        assert_eq!(ground_height(&PoseTable::default(), down), 0.0);
+        assert_eq!(ground_height(&footing, down), -102.0);
+        assert_eq!(ground_height(&Footing::default(), down), 0.0);
     }
 
     #[test]

@@ -8,7 +8,7 @@ use motion::bvh;
 use motion::clip::Clip;
 use motion::keypose::{Options, SelectionRule};
 use motion::note::NoteKind;
-use motion::world::Up;
+use motion::world::{Unit, Up};
 
 fn finished(analyser: &mut Analyser, clip: &Clip) -> Analysis {
     let mut last = 0.0;
@@ -56,74 +56,114 @@ fn golden_clips_have_their_keyposes() {
     }
 }
 
+/// Settings of every kind, each with what it changes.
+fn all_settings() -> Vec<(&'static str, Decisions, Options)> {
+    let decide = |name, change: fn(&mut Decisions)| {
+        let mut decisions = Decisions::default();
+        change(&mut decisions);
+        (name, decisions, Options::default())
+    };
+    let choose = |name, change: fn(&mut Options)| {
+        let mut options = Options::default();
+        change(&mut options);
+        (name, Decisions::default(), options)
+    };
+    vec![
+        decide("nothing", |_| ()),
+        decide("rate", |one| one.frame_rate_hz = Some(60.0)),
+        decide("rest", |one| one.leading_rest_frames = Some(7)),
+        decide("up", |one| one.up = Up::from_name("+Z")),
+        decide("unit", |one| one.unit = Some(Unit::Inch)),
+        choose("low pass", |one| one.low_pass_hz = 6.0),
+        choose("trend", |one| one.trend_hz = 1.0),
+        choose("finest scale", |one| one.scale_max_hz = 6.0),
+        choose("coarsest scale", |one| one.scale_min_hz = 0.5),
+        choose("ratio", |one| one.scale_ratio = 0.9),
+        choose("selection", |one| one.selection = SelectionRule::EvenSplit),
+        choose("Mojena", |one| one.mojena_k = 1.0),
+    ]
+}
+
+fn clips() -> Vec<Clip> {
+    let recorded = cmu("07_01");
+    [person_without_sides(150)]
+        .into_iter()
+        .chain(recorded)
+        .collect()
+}
+
 #[test]
 fn a_changed_setting_gives_what_a_fresh_analysis_gives() {
-    let Some(clip) = cmu("07_01") else { return };
-    let plain = (Decisions::default(), Options::default());
-    let settings = [
-        (
-            Decisions {
-                frame_rate_hz: Some(60.0),
-                ..plain.0
-            },
-            plain.1,
-        ),
-        (
-            Decisions {
-                leading_rest_frames: Some(0),
-                ..plain.0
-            },
-            plain.1,
-        ),
-        (
-            Decisions {
-                up: Up::from_name("+Z"),
-                ..plain.0
-            },
-            plain.1,
-        ),
-        (
-            plain.0,
-            Options {
-                low_pass_hz: 6.0,
-                ..plain.1
-            },
-        ),
-        (
-            plain.0,
-            Options {
-                scale_max_hz: 6.0,
-                ..plain.1
-            },
-        ),
-        (
-            plain.0,
-            Options {
-                trend_hz: 1.0,
-                ..plain.1
-            },
-        ),
-        (
-            plain.0,
-            Options {
-                selection: SelectionRule::EvenSplit,
-                ..plain.1
-            },
-        ),
-        plain,
-    ];
-    let mut analyser = Analyser::new();
-    for (index, (decisions, options)) in settings.iter().enumerate() {
-        analyser.begin(&clip, decisions, options).unwrap();
-        let again = finished(&mut analyser, &clip);
-        assert_eq!(
-            again,
-            analyse(&clip, decisions, options).unwrap(),
-            "setting {index}"
-        );
-        if index % 2 == 0 {
-            analyser.drop_motion();
+    for clip in clips() {
+        let settings = all_settings();
+        let fresh = |(_, decisions, options): &(&str, Decisions, Options)| {
+            analyse(&clip, decisions, options).unwrap()
+        };
+        let fresh: Vec<Analysis> = settings.iter().map(fresh).collect();
+        for (first, (before, decisions, options)) in settings.iter().enumerate() {
+            for (second, (after, ..)) in settings.iter().enumerate() {
+                let (_, other_decisions, other_options) = &settings[second];
+                let mut analyser = Analyser::new();
+                analyser.begin(&clip, decisions, options).unwrap();
+                finished(&mut analyser, &clip);
+                // A change that is taken back in the middle of the work.
+                analyser
+                    .begin(&clip, other_decisions, other_options)
+                    .unwrap();
+                for _ in 0..(first * second) % 11 {
+                    analyser.step(&clip);
+                }
+                analyser.begin(&clip, decisions, options).unwrap();
+                let back = finished(&mut analyser, &clip);
+                assert!(back == fresh[first], "{after} and back to {before}");
+                if (first + second) % 3 == 0 {
+                    analyser.drop_motion();
+                }
+                analyser
+                    .begin(&clip, other_decisions, other_options)
+                    .unwrap();
+                let found = finished(&mut analyser, &clip);
+                assert!(found == fresh[second], "{before}, then {after}");
+            }
         }
+    }
+}
+
+#[test]
+fn a_changed_setting_repeats_only_what_depends_on_it() {
+    let clip = person_without_sides(150);
+    let steps = |analyser: &mut Analyser| {
+        let mut steps = 1;
+        while analyser.step(&clip) < 1.0 {
+            steps += 1;
+        }
+        steps
+    };
+    let mut analyser = Analyser::new();
+    let (plain, options) = (Decisions::default(), Options::default());
+    analyser.begin(&clip, &plain, &options).unwrap();
+    let whole = steps(&mut analyser);
+    let again = |(_, decisions, options): &(&str, Decisions, Options)| {
+        analyser.begin(&clip, decisions, options).unwrap();
+        steps(&mut analyser);
+        // Back to the setting whose whole is known.
+        analyser.begin(&clip, &plain, &Options::default()).unwrap();
+        steps(&mut analyser)
+    };
+    let settings = all_settings();
+    let names = settings.iter().map(|(name, ..)| *name);
+    let found: Vec<_> = names.zip(settings.iter().map(again)).collect();
+    let few = |name| matches!(name, "up" | "unit" | "trend" | "selection" | "Mojena");
+    for (name, back) in found {
+        let most = match name {
+            "nothing" => 1,
+            name if few(name) => 10,
+            // Without the poses, the speed and the trend.
+            "finest scale" | "coarsest scale" | "ratio" => whole - 20,
+            "low pass" | "rate" => whole - 5,
+            _ => whole,
+        };
+        assert!(back <= most, "{name}: {back} of {whole} steps");
     }
 }
 

@@ -30,7 +30,7 @@ fn analyse(path: &Path, overrides: &[(Role, usize)]) -> Found {
     let mut builder = TableBuilder::new(&clip, 0, &body);
     while !builder.step(100) {}
     let table = builder.finish();
-    let up = world::up_axis(&table).map(world::Up::name);
+    let up = world::up_axis(&table.footing).map(world::Up::name);
     let analysed = support::analysed(&clip, &body, table);
     Found {
         clip,

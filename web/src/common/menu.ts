@@ -4,6 +4,8 @@ import { icon, type IconName } from './icons';
 
 export interface MenuItem {
   readonly label: string;
+  /** The language of the label where it is not the page's. */
+  readonly lang?: string;
   readonly icon?: IconName;
   /** Given for items of which one or some are chosen. */
   readonly checked?: boolean;
@@ -75,6 +77,7 @@ function menuItem(item: MenuItem): TemplateResult {
     type="button"
     class="menu-item ${item.apart ? 'apart' : ''}"
     role=${checkable ? (item.several ? 'menuitemcheckbox' : 'menuitemradio') : 'menuitem'}
+    lang=${item.lang ?? nothing}
     aria-checked=${checkable ? String(item.checked) : nothing}
     @click=${choose}
   >

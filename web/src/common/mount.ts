@@ -27,7 +27,12 @@ export function follow(update: () => void): () => void {
     stop = effect(() => {
       if (!first) return schedule(run);
       first = false;
-      update();
+      // What goes wrong in one view is told and leaves the others, and its own next try, alone.
+      try {
+        update();
+      } catch (error) {
+        reportError(error);
+      }
     });
   };
   run();

@@ -78,8 +78,11 @@ function filterField({ words: { t }, filter, onFilter }: LibraryProps): Template
   const onInput = (event: Event): void => onFilter((event.target as HTMLInputElement).value);
   const onKey = (event: KeyboardEvent): void => {
     if (event.key !== 'Escape') return;
+    const field = event.target as HTMLInputElement;
+    // A drawer keeps the focus, and closes with the next press.
+    if (!field.closest('.drawer')) field.blur();
+    else if (field.value) event.preventDefault();
     onFilter('');
-    (event.target as HTMLElement).blur();
   };
   return html`<div class="field filter">
     ${icon('search', 14)}

@@ -105,21 +105,14 @@ export function focusOf(target: EventTarget | null, reachedByKey: boolean): KeyF
   return takesSpace && reachedByKey ? 'button' : 'page';
 }
 
-/** Tells how the element in focus was reached. */
+/** Tells how the element in focus was reached: by what was pressed last before it was. */
 function watchFocus(target: Document): () => boolean {
-  let pressed = false;
-  let reachedByKey = true;
-  const press = (down: boolean) => (): void => {
-    pressed = down;
-  };
-  target.addEventListener('pointerdown', press(true), true);
-  for (const type of ['pointerup', 'pointercancel', 'keydown']) {
-    target.addEventListener(type, press(false), true);
-  }
-  target.addEventListener('focusin', () => {
-    reachedByKey = !pressed;
-  });
-  return () => reachedByKey;
+  let pointed = false;
+  let reachedByPointer = false;
+  target.addEventListener('pointerdown', () => (pointed = true), true);
+  target.addEventListener('keydown', () => (pointed = false), true);
+  target.addEventListener('focusin', () => (reachedByPointer = pointed));
+  return () => !reachedByPointer;
 }
 
 /** Listens on a document; whoever handles a key first keeps it by `preventDefault`. */

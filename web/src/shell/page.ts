@@ -11,6 +11,7 @@ import { mountStage, type StageSettings } from '../study/mount-stage';
 import { mountStrip } from '../study/mount-strip';
 import { mountTimeline } from '../study/mount-timeline';
 import { mountTransport } from '../transport/mount-transport';
+import { Drawers } from './drawers';
 import { helpDialog } from './help-dialog';
 import type { Places } from './layout';
 import { notices } from './toasts';
@@ -170,6 +171,7 @@ function mountSplitters(places: Places, { language, preferences }: Context): voi
 /** Empty page or study, panels, drawers, veil. */
 function showWhatIsDue(places: Places, context: Context): void {
   const { store, panels, language } = context;
+  const drawers = new Drawers([places.study, places.library, places.inspector]);
   follow(() => {
     const hasClips = store.present.value.length > 0;
     places.empty.hidden = hasClips;
@@ -185,11 +187,16 @@ function showWhatIsDue(places: Places, context: Context): void {
       places[name].hidden = !due || !panels[name].open.value;
       places[name].classList.toggle('drawer', !panels[name].docked.value);
     }
-    places.scrim.hidden = !panels.drawerOpen.value;
+    const open = (['library', 'inspector'] as const).find(
+      (name) => !panels[name].docked.value && !places[name].hidden,
+    );
+    places.scrim.hidden = !open;
+    drawers.show(open ? places[open] : null);
   });
   places.scrim.addEventListener('click', () => panels.closeDrawer());
   document.addEventListener('keydown', (event) => {
-    if (event.key === 'Escape') panels.closeDrawer();
+    const other = document.querySelector('dialog[open], :popover-open');
+    if (event.key === 'Escape' && !event.defaultPrevented && !other) panels.closeDrawer();
   });
   follow(() => {
     places['drop-veil'].hidden = !store.dropping.value;

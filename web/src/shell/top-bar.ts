@@ -5,6 +5,7 @@ import type { ThemeChoice } from '../app/theme';
 import { mark, type IconName } from '../common/icons';
 import { iconButton } from '../common/buttons';
 import { clipName } from '../common/clip-name';
+import { menuButton } from '../common/menu';
 
 export interface OpenClipPlace {
   readonly name: string;
@@ -68,14 +69,33 @@ function historyButtons(
   `;
 }
 
+const otherLanguage = ({ words }: TopBarProps): string => (words.language === 'en' ? 'ja' : 'en');
+
+/** The same in a menu, for narrow windows. */
+function tasteMenu(props: TopBarProps): TemplateResult {
+  const { t } = props.words;
+  return html`<span class="top-more"
+    >${menuButton({
+      id: 'more-menu',
+      name: 'ellipsis',
+      label: t('top.more'),
+      items: [
+        { label: t('language.other'), lang: otherLanguage(props), onChoose: props.onLanguage },
+        {
+          label: t(`top.theme.${props.themeChoice}`),
+          icon: themeIcons[props.themeChoice],
+          onChoose: props.onTheme,
+        },
+        { label: t('top.help'), icon: 'help', onChoose: props.onHelp },
+      ],
+    })}</span
+  >`;
+}
+
 function tasteButtons(props: TopBarProps): TemplateResult {
   const { t } = props.words;
   return html`
-    <button
-      class="button ghost language"
-      lang=${props.words.language === 'en' ? 'ja' : 'en'}
-      @click=${props.onLanguage}
-    >
+    <button class="button ghost language" lang=${otherLanguage(props)} @click=${props.onLanguage}>
       ${t('language.other')}
     </button>
     ${iconButton({ name: themeIcons[props.themeChoice], label: t(`top.theme.${props.themeChoice}`), onPress: props.onTheme })}
@@ -95,7 +115,9 @@ export function topBar(props: TopBarProps): TemplateResult {
     ${study?.panels ? panel('panel-left', t('top.library'), study.libraryOpen, props.onLibrary) : nothing}
     <div class="top-middle">${study?.clip ? clipPlace(props, study.clip) : nothing}</div>
     <div class="top-end">
-      ${study ? historyButtons(props, study) : nothing} ${tasteButtons(props)}
+      ${study ? historyButtons(props, study) : nothing}
+      <span class="top-taste">${tasteButtons(props)}</span>
+      ${study ? tasteMenu(props) : nothing}
       ${study?.panels && study.inspectorOpen !== null ? html`<span class="rule"></span>${panel('panel-right', t('top.inspector'), study.inspectorOpen, props.onInspector)}` : nothing}
     </div>
   `;

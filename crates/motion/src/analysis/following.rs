@@ -1,5 +1,5 @@
-//! One performer's analysed frames, some at a step: its track, and on the way the feature, the
-//! discontinuities and the trails, which need each frame once.
+//! One performer's analysed frames, some at a step: its track, and on the way its mean, the feature,
+//! the discontinuities and the trails, which need each frame once.
 
 use super::trails::Trails;
 use crate::body::{PRINCIPAL_JOINTS, PelvisFrame, PoseTable, TrackRun};
@@ -15,6 +15,8 @@ pub struct Following {
     run: TrackRun,
     variation: PostureVariation,
     steps: Vec<f64>,
+    /// The sum of the coordinates.
+    sum: Vec<f64>,
     trails: Trails,
 }
 
@@ -22,6 +24,8 @@ pub struct Following {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Followed {
     pub track: PelvisTrack,
+    /// The mean over its frames.
+    pub mean: Vec<f64>,
     pub jumps: Vec<Note>,
     /// None without frames.
     pub feature: Option<[f64; 12]>,
@@ -30,10 +34,13 @@ pub struct Followed {
 }
 
 impl Following {
-    /// The frames of `table` from `first_frame` on, in the coordinates of `frame`.
-    pub fn new(table: PoseTable, frame: &PelvisFrame, first_frame: usize) -> Self {
+    /// The frames of `table`, whose joints are taken, from `first_frame` on, in the coordinates of
+    /// `frame`.
+    pub fn new(table: &mut PoseTable, frame: &PelvisFrame, first_frame: usize) -> Self {
+        let width = 3 * table.joint_count;
         Self {
             run: TrackRun::new(table, frame, first_frame),
+            sum: vec![0.0; width],
             variation: PostureVariation::default(),
             steps: Vec::new(),
             trails: Trails::default(),
@@ -55,7 +62,11 @@ impl Following {
         let first = self.run.done();
         let is_complete = self.run.advance(frames);
         for frame in first..self.run.done() {
-            self.variation.add(self.run.frame(frame));
+            let coordinates = self.run.frame(frame);
+            self.variation.add(coordinates);
+            for (sum, value) in self.sum.iter_mut().zip(coordinates) {
+                *sum += value;
+            }
             if frame > 0 {
                 let (before, now) = (self.run.frame(frame - 1), self.run.frame(frame));
                 self.steps.push(rest::step_between(before, now));
@@ -70,10 +81,12 @@ impl Following {
     /// What was found in the frames followed.
     pub fn finish(self) -> Followed {
         let track = self.run.finish();
+        let count = track.frames().max(1) as f64;
         Followed {
             jumps: discontinuity::among(&self.steps, track.first_frame),
             feature: (track.frames() > 0).then(|| self.variation.feature()),
             trails: self.trails,
+            mean: self.sum.into_iter().map(|sum| sum / count).collect(),
             track,
         }
     }

@@ -8,9 +8,13 @@ mod analyser;
 mod facing;
 mod findings;
 mod following;
+mod keypose_run;
 mod performer;
+mod picture_run;
 mod placement;
+mod pose_run;
 mod settings;
+mod surroundings;
 mod trails;
 
 pub use analyser::Analyser;
@@ -59,7 +63,7 @@ pub struct PerformerAnalysis {
     /// The frame that pictures the motion.
     pub thumbnail_frame: usize,
     /// The yaw from which the figures of the keyposes are widest, see
-    /// [`crate::figure::widest_side_yaw`].
+    /// [`crate::figure::WidestSide`].
     pub side_yaw_rad: f64,
     /// The yaw, of the same kind, of a viewer whom the pelvis faces in the mean.
     pub front_yaw_rad: f64,

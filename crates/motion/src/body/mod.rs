@@ -27,7 +27,7 @@ pub use find::find;
 pub use part::{BODY_PARTS, BodyPart};
 pub use pelvis_frame::PelvisFrame;
 pub use role::{PRINCIPAL_JOINTS, Role, Side};
-pub use table::{PoseTable, TableBuilder};
+pub use table::{Footing, PoseTable, TableBuilder};
 pub use track_run::TrackRun;
 
 use crate::clip::Clip;

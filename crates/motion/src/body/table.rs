@@ -19,6 +19,13 @@ pub struct PoseTable {
     pub joints: Vec<f64>,
     /// Frames × (left, right) × (x, y, z): q_n of the hips; empty in a body that is not human.
     pub hips: Vec<f64>,
+    /// How the body stands in the world.
+    pub footing: Footing,
+}
+
+/// What tells up and the ground, from all frames, in file units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Footing {
     /// The sum over the frames of neck − middle of the ankles, in world axes.
     pub trunk: Vector3<f64>,
     /// For each frame the lowest x, y, z and the highest x, y, z of ankles and toes (of all joints
@@ -29,7 +36,7 @@ pub struct PoseTable {
 impl PoseTable {
     /// Frames in the table.
     pub fn frames(&self) -> usize {
-        self.feet.len()
+        self.footing.feet.len()
     }
 
     /// The place of a joint (its row, from 0) at a frame, in the pelvis joint's axes.
@@ -61,8 +68,8 @@ impl PoseTable {
 
     /// The frames from `first_frame` on in the coordinates of `frame`; the table's memory is used
     /// again.
-    pub fn into_track(self, frame: &PelvisFrame, first_frame: usize) -> PelvisTrack {
-        let mut run = TrackRun::new(self, frame, first_frame);
+    pub fn into_track(mut self, frame: &PelvisFrame, first_frame: usize) -> PelvisTrack {
+        let mut run = TrackRun::new(&mut self, frame, first_frame);
         run.advance(usize::MAX);
         run.finish()
     }
@@ -169,14 +176,14 @@ impl<'a> TableBuilder<'a> {
 
     /// Room for the whole clip at once where the rest is asked for, so that no copy is made.
     fn reserve(&mut self, frames: usize) {
-        let frames = if self.table.feet.is_empty() {
+        let frames = if self.table.footing.feet.is_empty() {
             self.kinematics.frames()
         } else {
             frames
         };
         self.table.joints.reserve(frames * self.joints.len() * AXES);
         self.table.hips.reserve(frames * self.hips.len() * AXES);
-        self.table.feet.reserve(frames);
+        self.table.footing.feet.reserve(frames);
     }
 
     fn add(&mut self) {
@@ -195,10 +202,10 @@ impl<'a> TableBuilder<'a> {
             .trunk
             .map(|joints| joints.map(|joint| self.pose[joint].position))
         {
-            self.table.trunk += neck - (left + right) / 2.0;
+            self.table.footing.trunk += neck - (left + right) / 2.0;
         }
         let feet = self.feet.iter().map(|joint| self.pose[*joint].position);
-        self.table.feet.push(extent(feet));
+        self.table.footing.feet.push(extent(feet));
     }
 }
 

@@ -17,13 +17,13 @@ pub struct TrackRun {
 }
 
 impl TrackRun {
-    /// A run over the frames from `first_frame` on.
-    pub fn new(table: PoseTable, frame: &PelvisFrame, first_frame: usize) -> Self {
+    /// A run over the frames from `first_frame` on, which takes the joints of `table`.
+    pub fn new(table: &mut PoseTable, frame: &PelvisFrame, first_frame: usize) -> Self {
         let first_frame = first_frame.min(table.frames());
         Self {
             frames: table.frames() - first_frame,
             joint_count: table.joint_count,
-            coordinates: table.joints,
+            coordinates: core::mem::take(&mut table.joints),
             frame: frame.clone(),
             first_frame,
             done: 0,

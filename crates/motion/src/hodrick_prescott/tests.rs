@@ -218,3 +218,13 @@ fn lanes_and_steps_do_not_change_a_bit() {
         assert_eq!(in_lane, alone);
     }
 }
+
+#[test]
+fn a_signal_alone_is_filtered_in_steps_too() {
+    let signal = signal(500, 4);
+    for cutoff_hz in [0.5, 60.0, 1e5] {
+        let mut run = LowPass::new(signal.len(), cutoff_hz, 120.0);
+        while !run.advance(&signal, 61) {}
+        assert_eq!(run.finish(), low_pass(&signal, cutoff_hz, 120.0));
+    }
+}

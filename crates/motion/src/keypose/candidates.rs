@@ -11,36 +11,62 @@
 
 /// The minima of `series` that are at least `floor` deep, in order.
 pub fn minima(series: &[f64], floor: f64) -> Vec<usize> {
-    minima_by(series.len(), |index| series[index], floor)
+    let mut scan = Scan::new(floor);
+    series.iter().for_each(|sample| scan.take(*sample));
+    scan.finish()
 }
 
-/// [`minima`] of the series of `len` samples that `sample` gives.
-pub fn minima_by(len: usize, sample: impl Fn(usize) -> f64, floor: f64) -> Vec<usize> {
-    if len < 3 {
-        return Vec::new();
-    }
-    let mut kept = Kept::new(floor);
-    let mut value = sample(0);
-    let mut bump = value;
-    // First index of the plateau that a fall has led to.
-    let mut valley: Option<usize> = None;
-    for index in 1..len {
-        let next = sample(index);
-        if next < value {
-            valley = Some(index);
-        } else if next > value
-            && let Some(first) = valley.take()
-        {
-            kept.minimum((first + index - 1) / 2, value, bump);
-            bump = next;
+/// [`minima`] while the samples come one by one.
+#[derive(Clone, Debug)]
+pub struct Scan {
+    kept: Kept,
+    /// Samples taken.
+    count: usize,
+    /// The last of them.
+    value: f64,
+    /// The highest since the last minimum.
+    bump: f64,
+    /// First index of the plateau that a fall has led to.
+    valley: Option<usize>,
+}
+
+impl Scan {
+    /// A scan for minima at least `floor` deep.
+    pub fn new(floor: f64) -> Self {
+        Self {
+            kept: Kept::new(floor),
+            count: 0,
+            value: f64::NAN,
+            bump: f64::NEG_INFINITY,
+            valley: None,
         }
-        bump = bump.max(next);
-        value = next;
     }
-    kept.finish(bump)
+
+    /// Takes the next sample.
+    #[inline(always)]
+    pub fn take(&mut self, next: f64) {
+        if next < self.value {
+            self.valley = Some(self.count);
+        } else if next > self.value
+            && let Some(first) = self.valley.take()
+        {
+            let middle = (first + self.count - 1) / 2;
+            self.kept.minimum(middle, self.value, self.bump);
+            self.bump = next;
+        }
+        self.bump = self.bump.max(next);
+        self.value = next;
+        self.count += 1;
+    }
+
+    /// The minima, in order.
+    pub fn finish(self) -> Vec<usize> {
+        self.kept.finish(self.bump)
+    }
 }
 
 /// The minima kept so far, the last of them pending.
+#[derive(Clone, Debug)]
 struct Kept {
     floor: f64,
     sure: Vec<usize>,

@@ -7,11 +7,11 @@
 //!
 //! Source: Miura et al., "Adaptive Keypose Extraction from Motion Capture Data", 2014, §3.2.
 
-use super::candidates::{minima, minima_by};
+use super::candidates::{Scan, minima};
 use super::correspondence::partners;
 use super::intensity::{TraceEntry, Traces, traces, vertex_offset};
 use super::options::{Options, OptionsError};
-use super::scales::{Levels, usable_scales_hz};
+use super::scales::{LEVELS, Levels, usable_scales_hz};
 use super::significance::{Selection, select};
 use super::sureness::{Sureness, sureness};
 
@@ -43,6 +43,12 @@ impl Extraction {
             .iter()
             .map(|&index| self.candidates[index])
             .collect()
+    }
+
+    /// Selects among the candidates once more, by the rule of other `options`; all before stays.
+    pub fn select(&mut self, options: &Options) {
+        self.selection = select(&self.intensity, options);
+        self.sureness = sureness(&self.intensity, &self.selection.kept);
     }
 
     /// Candidate indices from the most to the least intense, of equals the earlier first.
@@ -82,6 +88,8 @@ enum Stage {
     Start,
     /// Filters.
     Filter,
+    /// Looks for the minima of the filtered levels, from a sample on.
+    Scan(usize),
     /// Matches one of the filtered levels.
     Match(usize),
 }
@@ -101,6 +109,8 @@ pub struct Extractor {
     /// The scales from here on are still to do.
     next_scale: usize,
     levels: Levels,
+    /// The minima of each of the levels.
+    scans: [Scan; LEVELS],
     stage: Stage,
     entries: Vec<TraceEntry>,
 }
@@ -130,13 +140,14 @@ impl Extractor {
             candidates,
             next_scale: 0,
             levels: Levels::default(),
+            scans: core::array::from_fn(|_| Scan::new(floor)),
             stage: Stage::Start,
             entries: Vec::new(),
             speed,
         })
     }
 
-    /// Works for about `budget` rows of eight filters, or matches one scale. True when done.
+    /// Works for about `budget` rows of four levels, or matches one level. True when done.
     pub fn advance(&mut self, budget: usize) -> bool {
         if self.is_done() {
             return true;
@@ -149,9 +160,11 @@ impl Extractor {
                 self.stage = Stage::Filter;
             }
             Stage::Filter if self.levels.advance(&self.speed, budget) => {
-                self.stage = Stage::Match(0);
+                self.scans = core::array::from_fn(|_| Scan::new(self.floor));
+                self.stage = Stage::Scan(0);
             }
             Stage::Filter => {}
+            Stage::Scan(row) => self.scan(row, budget),
             Stage::Match(level) => {
                 self.match_level(level);
                 self.next_scale += 1;
@@ -195,10 +208,26 @@ impl Extractor {
         self.survivors.is_empty() || self.next_scale == self.scales_hz.len()
     }
 
+    /// Looks for the minima of all levels at once: their samples lie side by side.
+    fn scan(&mut self, row: usize, budget: usize) {
+        let rows = self.levels.rows();
+        let end = row.saturating_add(budget).min(rows.len());
+        for lanes in &rows[row..end] {
+            for (scan, level) in self.scans.iter_mut().zip(lanes.chunks_exact(2)) {
+                scan.take(level[0]);
+            }
+        }
+        self.stage = match end == rows.len() {
+            true => Stage::Match(0),
+            false => Stage::Scan(end),
+        };
+    }
+
     /// Matches the minima of one level with the survivors, and notes what they gather.
     fn match_level(&mut self, level: usize) {
         let levels = &self.levels;
-        let minima = minima_by(self.speed.len(), |n| levels.slow(level, n), self.floor);
+        let scan = core::mem::replace(&mut self.scans[level], Scan::new(self.floor));
+        let minima = scan.finish();
         self.survivors = matched(&self.survivors, &minima);
         for &Survivor { candidate, frame } in &self.survivors {
             // A minimum is never the first or the last sample.

@@ -7,8 +7,9 @@ use super::options::Options;
 use crate::hodrick_prescott::{LaneFilter, Repeated, Solution, lambda_of_cutoff};
 
 /// Levels that are filtered together.
-const LEVELS: usize = 4;
-const LANES: usize = 2 * LEVELS;
+pub const LEVELS: usize = 4;
+/// Lanes of their filter.
+pub const LANES: usize = 2 * LEVELS;
 
 /// The scales of `options` below half the rate, from fine to coarse, in Hz.
 pub fn usable_scales_hz(options: &Options, rate_hz: f64) -> Vec<f64> {
@@ -54,6 +55,12 @@ impl Levels {
     /// How many levels these are.
     pub fn count(&self) -> usize {
         self.count
+    }
+
+    /// The filtered samples, row by row: lanes 2 k and 2 k + 1 are the level k of these, and its
+    /// slower half.
+    pub fn rows(&self) -> &[[f64; LANES]] {
+        self.solution.rows()
     }
 
     /// `L_i` at sample `n` of the level `index` of these.

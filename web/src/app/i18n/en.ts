@@ -40,6 +40,7 @@ export const en = {
   'top.theme.light': 'Theme: light',
   'top.theme.dark': 'Theme: dark',
   'top.theme.system': 'Theme: as the system',
+  'top.more': 'Language, theme, help',
   'top.help': 'Keyboard shortcuts',
   'top.library': 'Library',
   'top.inspector': 'Details',
@@ -206,6 +207,8 @@ export const en = {
     other: '{0} files were in the library already',
   },
   'toast.error': '{0}: {1}',
+  'toast.page-error':
+    'A part of the page failed ({0}). Your clips are still here; reload the page if something is missing.',
   'toast.saved': '{0} saved',
   'drop.veil': 'Drop to add to the library',
 

@@ -41,6 +41,7 @@ export const ja: Catalogue = {
   'top.theme.light': 'テーマ：明るい',
   'top.theme.dark': 'テーマ：暗い',
   'top.theme.system': 'テーマ：システムに合わせる',
+  'top.more': '言語、テーマ、ヘルプ',
   'top.help': 'キーボード操作',
   'top.library': 'ライブラリ',
   'top.inspector': '詳細',
@@ -195,6 +196,8 @@ export const ja: Catalogue = {
   'toast.nothing-found': '{0} に BVH ファイルはありません。',
   'toast.already': '{0} 個はすでにライブラリにあります',
   'toast.error': '{0}：{1}',
+  'toast.page-error':
+    'ページの一部で不具合が起きました（{0}）。クリップは残っています。表示がおかしいときは再読み込みしてください。',
   'toast.saved': '{0} を保存しました',
   'drop.veil': 'ドロップしてライブラリに追加',
 
