@@ -149,7 +149,7 @@ fn blanks() -> impl Strategy<Value = &'static str> {
 
 /// A file of three values a row, of which some rows may be odd.
 fn long_file(words: &[(String, &str)], odd_row: Option<usize>, line_end: &str) -> String {
-    let mut text = format!("{}MOTION\nFrames: 9\nFrame Time: 0.1\n", ROOT_OF_THREE);
+    let mut text = format!("{ROOT_OF_THREE}MOTION\nFrames: 9\nFrame Time: 0.1\n");
     for (index, (word, blank)) in words.iter().enumerate() {
         text += word;
         text += blank;
