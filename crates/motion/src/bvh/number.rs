@@ -3,6 +3,8 @@
 mod short;
 mod wide;
 
+pub use short::{ShortWord, WINDOW, pair as short_pair};
+
 use super::error::{ErrorKind, ParseError, excerpt};
 use super::place::Place;
 
@@ -48,15 +50,6 @@ pub fn plain(bytes: &[u8], start: usize, mark: Option<Mark>) -> Option<(f64, usi
     }
     let size = scaled(significand, exponent)?;
     Some((if is_negative { -size } else { size }, end))
-}
-
-/// Reads the word from `start` to `end`, with a decimal point, if it is of a plain shape.
-#[inline]
-pub fn between(bytes: &[u8], start: usize, end: usize) -> Option<f64> {
-    short::number(bytes, start, end).or_else(|| {
-        let (value, read) = plain(bytes, start, Some(Mark::Point))?;
-        (read == end).then_some(value)
-    })
 }
 
 /// `significand · 10^exponent`. Where both are exact in an `f64`, one multiplication or division

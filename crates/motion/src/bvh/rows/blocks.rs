@@ -2,129 +2,144 @@
 //!
 //! Where words and lines end is found for a whole block first, so that no number has to wait for
 //! the one before it (G. Langdale, D. Lemire, *Parsing gigabytes of JSON per second*, The VLDB
-//! Journal 28, 2019). Whatever is not plain is left as it is, from the block in which it begins.
+//! Journal 28, 2019). A block that is not plain is left, with all that follows.
 
 use super::Rows;
 use super::layout::Layout;
 use super::marks::{BLOCK, Marks};
-use crate::bvh::number::{self, Mark};
-use crate::bvh::place::Position;
+use super::words::Words;
+use crate::bvh::number::{self, Mark, WINDOW};
 
-/// The words of one block, each a bit.
-struct Words {
-    /// First bytes.
-    begins: u64,
-    /// The blanks behind the last bytes.
-    ends: u64,
-    line_ends: u64,
+/// Bytes before a block that its first word may need.
+const BEFORE: usize = WINDOW - BLOCK;
+
+/// Most words of a block, and one more to make them even.
+const MOST_WORDS: usize = BLOCK / 2 + 1;
+
+/// Values on their way to those of all rows, to which adding a few at a time is slow.
+struct Batch {
+    values: [f64; Self::LENGTH],
+    count: usize,
 }
 
-/// How far the blocks have come.
-struct Cursor {
-    /// The next block.
-    at: usize,
-    /// Where a word that has not ended begins.
-    open_word: Option<usize>,
-}
+impl Batch {
+    const LENGTH: usize = 256;
 
-impl Cursor {
-    fn unread(&self) -> usize {
-        self.open_word.unwrap_or(self.at)
+    fn add(&mut self, window: &[u8; WINDOW], mut words: Words) {
+        let count = words.count();
+        let free = self.values[self.count..].as_chunks_mut().0;
+        for pair in free.iter_mut().take(count.div_ceil(2)) {
+            *pair = number::short_pair(window, [words.take(), words.take()]);
+        }
+        self.count += count;
     }
 
-    fn words(&self, block: &[u8; BLOCK]) -> Words {
-        let Marks { blanks, line_ends } = Marks::of(block);
-        let words = !blanks;
-        let after_word = words << 1 | u64::from(self.open_word.is_some());
-        Words {
-            begins: words & !after_word,
-            ends: blanks & after_word,
-            line_ends,
-        }
+    fn has_room(&self) -> bool {
+        self.count <= Self::LENGTH - MOST_WORDS
+    }
+
+    fn empty_into(&mut self, values: &mut Vec<f64>) {
+        values.extend_from_slice(&self.values[..self.count]);
+        self.count = 0;
     }
 }
 
 impl Rows {
     /// Reads blocks while all in them is plain; returns where the rest begins.
     pub(super) fn plain_blocks(&mut self, bytes: &[u8], start: usize) -> usize {
-        let mut cursor = Cursor {
-            at: start,
-            open_word: None,
-        };
         let is_plain = matches!(self.layout, Layout::Frames(None));
         if !is_plain || self.known.mark != Some(Mark::Point) {
             return start;
         }
-        while let Some(block) = bytes[cursor.at..].first_chunk() {
-            let words = cursor.words(block);
-            let lines = self.lines(block, &words, cursor.at);
-            let Some((in_line, position)) = lines else {
-                break;
-            };
-            let Some(open_word) = self.numbers(bytes, &words, &cursor) else {
-                break;
-            };
-            (self.in_line, self.position) = (in_line, position);
-            cursor = Cursor {
-                at: cursor.at + BLOCK,
-                open_word,
-            };
+        let mut batch = Batch {
+            values: [0.0; Batch::LENGTH],
+            count: 0,
+        };
+        let mut at = start;
+        while let Some(length) = self.plain_block(bytes, at, &mut batch) {
+            at += length;
+            if !batch.has_room() {
+                batch.empty_into(&mut self.values);
+            }
         }
-        cursor.unread()
+        batch.empty_into(&mut self.values);
+        at
     }
 
-    /// The values in the last line and its position, if all lines that end in a block are whole.
-    fn lines(&self, block: &[u8; BLOCK], words: &Words, at: usize) -> Option<(usize, Position)> {
-        let (mut ends, mut line_ends) = (words.ends, words.line_ends);
+    /// Reads the words that end in a block, if all are plain; returns the bytes that they take.
+    #[inline]
+    fn plain_block(&mut self, bytes: &[u8], at: usize, batch: &mut Batch) -> Option<usize> {
+        let window: &[u8; WINDOW] = bytes.get(at.checked_sub(BEFORE)?..)?.first_chunk()?;
+        let words = Words::of(&Marks::of(window.last_chunk()?))?;
+        let free = self.values.capacity() - self.values.len() - batch.count;
+        if free < words.count() {
+            return None;
+        }
+        self.end_lines(bytes, at, &words)?;
+        batch.add(window, words);
+        Some(words.length())
+    }
+
+    /// Goes over the lines of a block, if all that end in it are whole.
+    #[inline]
+    fn end_lines(&mut self, bytes: &[u8], at: usize, words: &Words) -> Option<()> {
         let (mut in_line, mut position) = (self.in_line, self.position);
-        while line_ends != 0 {
-            let end = line_ends.trailing_zeros();
-            let byte = block[end as usize];
-            let gone_over = u64::MAX >> (BLOCK as u32 - 1 - end);
-            in_line += (ends & gone_over).count_ones() as usize;
+        let mut left = words.count();
+        for (count, end) in words.lines() {
+            let byte = bytes[at + end];
+            in_line += count;
             if (in_line != 0 && in_line != self.width) || !matches!(byte, b'\n' | b'\r') {
                 return None;
             }
             in_line = 0;
-            position.end_line(byte, at + end as usize);
-            ends &= !gone_over;
-            line_ends &= line_ends - 1;
+            left -= count;
+            position.end_line(byte, at + end);
         }
-        in_line += ends.count_ones() as usize;
-        (in_line <= self.width).then_some((in_line, position))
-    }
-
-    /// Reads the words that end in a block, if all are plain numbers and there is room for them;
-    /// returns where the word begins that does not end in it.
-    fn numbers(&mut self, bytes: &[u8], words: &Words, cursor: &Cursor) -> Option<Option<usize>> {
-        let length = self.values.len();
-        let count = words.ends.count_ones() as usize;
-        if self.values.capacity() - length < count {
+        if in_line + left > self.width {
             return None;
         }
-        let (mut begins, mut ends) = (words.begins, words.ends);
-        let mut open_word = cursor.open_word;
-        let mut are_numbers = true;
-        self.values.extend((0..count).map(|_| {
-            let start = open_word
-                .take()
-                .unwrap_or_else(|| next(&mut begins, cursor.at));
-            let end = next(&mut ends, cursor.at);
-            let value = number::between(bytes, start, end);
-            are_numbers &= value.is_some();
-            value.unwrap_or(0.0)
-        }));
-        if !are_numbers {
-            self.values.truncate(length);
-            return None;
-        }
-        Some(open_word.or((begins != 0).then(|| next(&mut begins, cursor.at))))
+        (self.in_line, self.position) = (in_line + left, position);
+        Some(())
     }
 }
 
-/// Takes the lowest bit; the place that it stands for.
-fn next(bits: &mut u64, at: usize) -> usize {
-    let place = at + bits.trailing_zeros() as usize;
-    *bits &= bits.wrapping_sub(1);
-    place
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_random::Random;
+
+    /// What a block reads of a word that stands anywhere in it.
+    fn read(word: &str, before: usize) -> Option<f64> {
+        let mut window = [b' '; WINDOW];
+        window[BEFORE + before..][..word.len()].copy_from_slice(word.as_bytes());
+        let mut words = Words::of(&Marks::of(window.last_chunk()?))?;
+        assert_eq!(words.count(), 1);
+        Some(number::short_pair(&window, [words.take(), words.take()])[0])
+    }
+
+    /// Up to 14 digits, often few, with a point or without, and a sign.
+    fn any_word(random: &mut Random) -> String {
+        let most = [4, 9, 15][random.below(3)];
+        let mut text: String = (0..1 + random.below(most - 1))
+            .map(|_| char::from(b'0' + random.below(10) as u8))
+            .collect();
+        if text.len() < 14 && random.below(4) > 0 {
+            text.insert(random.below(text.len() + 1), '.');
+        }
+        if text.len() < 15 && random.below(2) > 0 {
+            text.insert(0, '-');
+        }
+        text
+    }
+
+    #[test]
+    fn a_million_short_numbers_are_exact() {
+        let mut random = Random::new(22);
+        for _ in 0..1_000_000 {
+            let word = any_word(&mut random);
+            let found = read(&word, random.below(BLOCK - word.len()));
+            let expected: f64 = word.parse().expect("a number");
+            assert_eq!(found.map(f64::to_bits), Some(expected.to_bits()), "{word}");
+        }
+    }
 }

@@ -1,79 +1,46 @@
-//! The bytes of a block go in; which of them are blank and which may end a line come out as bits,
-//! the first byte in the lowest.
+//! The bytes of a block go in; what each of them is comes out as bits, the first byte in the lowest.
+
+use wide::bytemuck::cast;
+use wide::u8x16;
 
 /// Bytes of a block.
 pub const BLOCK: usize = 64;
 
+/// Bytes that are compared at once.
+const AT_ONCE: usize = 16;
+
 /// One bit for each byte of a block.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Marks {
     /// White space and control characters, see [`crate::bvh::place::is_blank`].
     pub blanks: u64,
     /// Line feeds, carriage returns and the two characters between them.
     pub line_ends: u64,
+    /// `0` to `9`.
+    pub digits: u64,
+    /// `.`
+    pub points: u64,
+    /// `-`
+    pub minuses: u64,
 }
 
 impl Marks {
     /// Of 64 bytes.
-    #[cfg(target_feature = "simd128")]
     #[inline]
     pub fn of(block: &[u8; BLOCK]) -> Self {
-        use core::arch::wasm32::{u8x16_bitmask, u8x16_le, u8x16_splat, u8x16_sub};
-        let mut marks = Self {
-            blanks: 0,
-            line_ends: 0,
-        };
-        for (index, bytes) in block.as_chunks::<16>().0.iter().enumerate() {
-            let bytes = vector(bytes);
-            let blanks = u8x16_le(bytes, u8x16_splat(b' '));
-            let from_line_feed = u8x16_sub(bytes, u8x16_splat(b'\n'));
-            let line_ends = u8x16_le(from_line_feed, u8x16_splat(b'\r' - b'\n'));
-            marks.blanks |= u64::from(u8x16_bitmask(blanks)) << (16 * index);
-            marks.line_ends |= u64::from(u8x16_bitmask(line_ends)) << (16 * index);
+        let mut marks = Self::default();
+        for (index, bytes) in block.as_chunks::<AT_ONCE>().0.iter().enumerate() {
+            let bytes: u8x16 = cast(*bytes);
+            let bits = |is: u8x16| u64::from(is.to_bitmask()) << (AT_ONCE * index);
+            let from = |first: u8| bytes - u8x16::splat(first);
+            marks.blanks |= bits(bytes.simd_le(u8x16::splat(b' ')));
+            marks.line_ends |= bits(from(b'\n').simd_lt(u8x16::splat(4)));
+            marks.digits |= bits(from(b'0').simd_lt(u8x16::splat(10)));
+            marks.points |= bits(bytes.simd_eq(u8x16::splat(b'.')));
+            marks.minuses |= bits(bytes.simd_eq(u8x16::splat(b'-')));
         }
         marks
     }
-
-    /// Of 64 bytes.
-    #[cfg(not(target_feature = "simd128"))]
-    #[inline]
-    pub fn of(block: &[u8; BLOCK]) -> Self {
-        let mut marks = Self {
-            blanks: 0,
-            line_ends: 0,
-        };
-        for (index, bytes) in block.as_chunks::<8>().0.iter().enumerate() {
-            let bytes = u64::from_le_bytes(*bytes);
-            let line_ends = from(bytes, b'\n') & !from(bytes, b'\r' + 1);
-            marks.blanks |= gathered(!from(bytes, b' ' + 1)) << (8 * index);
-            marks.line_ends |= gathered(line_ends) << (8 * index);
-        }
-        marks
-    }
-}
-
-#[cfg(target_feature = "simd128")]
-#[inline]
-fn vector(bytes: &[u8; 16]) -> core::arch::wasm32::v128 {
-    let (early, late) = bytes.as_chunks::<8>().0.split_at(1);
-    core::arch::wasm32::i64x2(i64::from_le_bytes(early[0]), i64::from_le_bytes(late[0]))
-}
-
-/// The top bit of each byte that is at least `least`, an ASCII character.
-#[cfg(not(target_feature = "simd128"))]
-#[inline]
-fn from(bytes: u64, least: u8) -> u64 {
-    const ONES: u64 = u64::from_le_bytes([1; 8]);
-    ((bytes & (0x7F * ONES)) + u64::from(0x80 - least) * ONES) | bytes
-}
-
-/// The top bits of all bytes, as eight bits.
-#[cfg(not(target_feature = "simd128"))]
-#[inline]
-fn gathered(tops: u64) -> u64 {
-    const TOPS: u64 = u64::from_le_bytes([0x80; 8]);
-    const TO_THE_TOP: u64 = 0x0102_0408_1020_4080;
-    ((tops & TOPS) >> 7).wrapping_mul(TO_THE_TOP) >> 56
 }
 
 #[cfg(test)]
@@ -96,6 +63,9 @@ mod tests {
                 let expected = Marks {
                     blanks: bits(is_blank),
                     line_ends: bits(|byte| (b'\n'..=b'\r').contains(&byte)),
+                    digits: bits(|byte| byte.is_ascii_digit()),
+                    points: bits(|byte| byte == b'.'),
+                    minuses: bits(|byte| byte == b'-'),
                 };
                 assert_eq!(Marks::of(&block), expected);
             }

@@ -8,6 +8,7 @@ mod layout;
 mod marks;
 mod relative;
 mod text_after;
+mod words;
 
 pub use relative::JointOf;
 
@@ -26,6 +27,9 @@ use text_after::TextAfter;
 
 /// Bytes that a word may have: no number needs more.
 const MAX_WORD: usize = 4096;
+
+/// Bytes gone over, where nothing is plain, before plain blocks are looked for again.
+const LONGEST_ODD: usize = 4096;
 
 /// What is known before the first row.
 #[derive(Clone, Copy, Debug)]
@@ -107,9 +111,14 @@ impl Rows {
     /// Reads the next slice.
     pub fn push(&mut self, bytes: &[u8]) -> Result<(), ParseError> {
         let mut at = self.complete_cut(bytes)?;
+        let mut odd_bytes = BLOCK;
         while at < bytes.len() && self.text.is_none() {
-            at = self.plain_blocks(bytes, at);
-            at = self.odd_block(bytes, at)?;
+            let plain_end = self.plain_blocks(bytes, at);
+            odd_bytes = match plain_end > at {
+                true => BLOCK,
+                false => LONGEST_ODD.min(2 * odd_bytes),
+            };
+            at = self.odd_rows(bytes, plain_end, odd_bytes)?;
         }
         self.text(&bytes[at..])?;
         self.position.end_slice(bytes.len());
@@ -117,9 +126,10 @@ impl Rows {
         Ok(())
     }
 
-    /// Reads what no plain block is, number by number; returns where the rest begins.
-    fn odd_block(&mut self, bytes: &[u8], start: usize) -> Result<usize, ParseError> {
-        let end = bytes.len().min(start + BLOCK);
+    /// Reads what no plain block is, number by number, for so many bytes and to the end of what
+    /// stands there; returns where the rest begins.
+    fn odd_rows(&mut self, bytes: &[u8], start: usize, length: usize) -> Result<usize, ParseError> {
+        let end = bytes.len().min(start + length);
         let mut at = start;
         while at < end && self.text.is_none() {
             at = self.plain_numbers(bytes, at);
