@@ -141,6 +141,10 @@ fn is_comma(number: &str) -> bool {
 pub fn begins(text: &[u8]) -> bool {
     /// Longer than any keyword with its colon.
     const ENOUGH: usize = 16;
+    let is_other = |byte: &u8| byte.is_ascii_graphic() && !b"fFmM".contains(byte);
+    if text.first().is_some_and(is_other) {
+        return false;
+    }
     let beginning = String::from_utf8_lossy(&text[..text.len().min(ENOUGH)]);
     keyword(&beginning).is_some()
 }

@@ -1,5 +1,6 @@
 //! Numbers: bytes of a row go in, the `f64` that `str::parse` makes of them comes out.
 
+mod order;
 mod short;
 mod wide;
 
@@ -121,6 +122,13 @@ pub enum Word {
 
 /// Reads a word of any shape; a decimal comma is read as a point.
 pub fn word(word: &[u8]) -> Word {
+    match plain(word, 0, Some(Mark::Point)) {
+        Some((number, end)) if end == word.len() => Word::Number(number),
+        _ => odd_word(word),
+    }
+}
+
+fn odd_word(word: &[u8]) -> Word {
     let Ok(text) = core::str::from_utf8(word) else {
         return Word::Text;
     };

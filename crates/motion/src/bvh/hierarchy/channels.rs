@@ -40,7 +40,7 @@ impl Channels {
         let (word, after) = at.word();
         let channel = channel(word);
         let is_missing = self.count.is_some_and(|count| self.found < count);
-        let is_same_line = at.place.line == self.place.line;
+        let is_same_line = at.line() == self.place.line;
         let is_taken = match channel {
             Channel::Other => is_same_line && is_missing && !word.is_empty(),
             _ => is_same_line || is_missing,
@@ -57,16 +57,15 @@ impl Channels {
 
 /// The channel of a name in any case.
 fn channel(name: &str) -> Channel {
-    let name = name.to_ascii_lowercase();
     let axis = match name.as_bytes().first() {
-        Some(b'x') => Axis::X,
-        Some(b'y') => Axis::Y,
-        Some(b'z') => Axis::Z,
+        Some(b'x' | b'X') => Axis::X,
+        Some(b'y' | b'Y') => Axis::Y,
+        Some(b'z' | b'Z') => Axis::Z,
         _ => return Channel::Other,
     };
-    match name.get(1..) {
-        Some("position") => Channel::Position(axis),
-        Some("rotation") => Channel::Rotation(axis),
+    match &name[1..] {
+        kind if kind.eq_ignore_ascii_case("position") => Channel::Position(axis),
+        kind if kind.eq_ignore_ascii_case("rotation") => Channel::Rotation(axis),
         _ => Channel::Other,
     }
 }

@@ -2,19 +2,39 @@
 
 use crate::bvh::place::Place;
 
-/// What is left of a line, and where that begins.
+/// What is left of a line. Where that begins is worked out only when asked for.
 #[derive(Clone, Copy, Debug)]
 pub struct Cursor<'a> {
     /// The text that is left, without white space at its beginning.
     pub rest: &'a str,
-    /// The place of its first character.
-    pub place: Place,
+    text: &'a str,
+    /// The place of the first character of all the text.
+    text_place: Place,
 }
 
 impl<'a> Cursor<'a> {
     /// At the beginning of a text.
     pub fn new(text: &'a str, place: Place) -> Self {
-        Self { rest: text, place }.past_spaces()
+        let cursor = Self {
+            rest: text,
+            text,
+            text_place: place,
+        };
+        cursor.past_spaces()
+    }
+
+    /// The line.
+    pub fn line(self) -> usize {
+        self.text_place.line
+    }
+
+    /// The place of the first character that is left.
+    pub fn place(self) -> Place {
+        let gone_over = &self.text[..self.text.len() - self.rest.len()];
+        Place {
+            line: self.text_place.line,
+            column: self.text_place.column + gone_over.chars().count(),
+        }
     }
 
     /// Past the next `bytes` and the white space after them.
@@ -34,10 +54,7 @@ impl<'a> Cursor<'a> {
 
     /// The next word and what follows it; a word ends at white space or a brace.
     pub fn word(self) -> (&'a str, Self) {
-        let end = self
-            .rest
-            .find(|c: char| c.is_whitespace() || c == '{' || c == '}');
-        let end = end.unwrap_or(self.rest.len());
+        let end = word_end(self.rest);
         (&self.rest[..end], self.past(end))
     }
 
@@ -58,16 +75,39 @@ impl<'a> Cursor<'a> {
     }
 
     fn advanced(self, bytes: usize) -> Self {
-        let (over, rest) = self.rest.split_at(bytes);
-        let place = Place {
-            line: self.place.line,
-            column: self.place.column + over.chars().count(),
-        };
-        Self { rest, place }
+        Self {
+            rest: &self.rest[bytes..],
+            ..self
+        }
     }
 
     fn past_spaces(self) -> Self {
-        self.advanced(self.rest.len() - self.rest.trim_start().len())
+        let mut bytes = self.rest.bytes();
+        let spaces = bytes.position(|byte| byte != b' ').unwrap_or(0);
+        if self
+            .rest
+            .as_bytes()
+            .get(spaces)
+            .is_some_and(u8::is_ascii_graphic)
+        {
+            return self.advanced(spaces);
+        }
+        Self {
+            rest: self.rest.trim_start(),
+            ..self
+        }
+    }
+}
+
+/// Where the first word of a text ends.
+fn word_end(text: &str) -> usize {
+    let ends = |c: char| c.is_whitespace() || c == '{' || c == '}';
+    let mut bytes = text.bytes();
+    // Bytes of longer characters do not end a word by themselves.
+    match bytes.position(|byte| !byte.is_ascii() || ends(char::from(byte))) {
+        Some(end) if text.as_bytes()[end].is_ascii() => end,
+        Some(_) => text.find(ends).unwrap_or(text.len()),
+        None => text.len(),
     }
 }
 
@@ -94,6 +134,6 @@ mod tests {
     fn columns_count_characters() {
         let (word, after) = Cursor::new(" 左腕 x", Place { line: 3, column: 5 }).word();
         assert_eq!((word, after.rest), ("左腕", "x"));
-        assert_eq!(after.place, Place { line: 3, column: 9 });
+        assert_eq!(after.place(), Place { line: 3, column: 9 });
     }
 }

@@ -104,24 +104,30 @@ impl<'a> Builder<'a> {
 
     fn keyword<'t>(&mut self, at: Cursor<'t>) -> Step<'t> {
         let (keyword, after) = at.word();
-        match keyword.to_ascii_uppercase().as_str() {
-            "HIERARCHY" => Ok(self.hierarchy(at, after)),
-            "ROOT" => self.root(at, after),
-            "JOINT" => self.joint(at, after, false),
-            "ENDSITE" => self.joint(at, after, true),
-            "END" if after.word().0.eq_ignore_ascii_case("site") => {
-                self.joint(at, after.word().1, true)
-            }
-            "OFFSET" => self.offset(at, after),
-            "CHANNELS" => Ok(self.begin_channels(at, after)),
-            _ => Ok(self.unknown(at)),
+        let is = |known: &str| keyword.eq_ignore_ascii_case(known);
+        if is("offset") {
+            self.offset(at, after)
+        } else if is("channels") {
+            Ok(self.begin_channels(at, after))
+        } else if is("joint") {
+            self.joint(at, after, false)
+        } else if is("end") && after.word().0.eq_ignore_ascii_case("site") {
+            self.joint(at, after.word().1, true)
+        } else if is("endsite") {
+            self.joint(at, after, true)
+        } else if is("root") {
+            self.root(at, after)
+        } else if is("hierarchy") {
+            Ok(self.hierarchy(at, after))
+        } else {
+            Ok(self.unknown(at))
         }
     }
 
     /// Notes a line that is not understood; a brace in it opens a block of its own.
     fn unknown<'t>(&mut self, at: Cursor<'t>) -> Cursor<'t> {
         self.notes
-            .add(NoteKind::UnknownLine, at.place, vec![excerpt(at.rest)]);
+            .add(NoteKind::UnknownLine, at.place(), vec![excerpt(at.rest)]);
         let after = at.name().1;
         match after.rest.starts_with('{') {
             true => after,
@@ -134,13 +140,17 @@ impl<'a> Builder<'a> {
             return Ok(());
         };
         let details = vec![excerpt(at.rest), self.skeletons.called(joint)];
-        Err(ParseError::new(ErrorKind::ExpectedBrace, at.place, details))
+        Err(ParseError::new(
+            ErrorKind::ExpectedBrace,
+            at.place(),
+            details,
+        ))
     }
 
     fn close<'t>(&mut self, at: Cursor<'t>) -> Cursor<'t> {
         if self.blocks.pop().is_none() {
             self.notes
-                .add(NoteKind::UnknownLine, at.place, vec!["}".to_owned()]);
+                .add(NoteKind::UnknownLine, at.place(), vec!["}".to_owned()]);
         }
         at.past(1)
     }
@@ -149,7 +159,7 @@ impl<'a> Builder<'a> {
         if !self.blocks.is_empty() {
             self.blocks.clear();
             self.notes
-                .add(NoteKind::MissingBrace, at.place, vec![called.to_owned()]);
+                .add(NoteKind::MissingBrace, at.place(), vec![called.to_owned()]);
         }
     }
 
@@ -158,7 +168,7 @@ impl<'a> Builder<'a> {
         if self.skeletons.count() > 0 {
             self.close_all(at, "HIERARCHY");
             self.notes
-                .add(NoteKind::RepeatedHierarchy, at.place, Vec::new());
+                .add(NoteKind::RepeatedHierarchy, at.place(), Vec::new());
         }
         after
     }
@@ -168,10 +178,10 @@ impl<'a> Builder<'a> {
         self.skeletons.end(self.notes);
         if self.hierarchies == 0 && self.skeletons.count() == 0 {
             self.notes
-                .add(NoteKind::MissingHierarchy, at.place, Vec::new());
+                .add(NoteKind::MissingHierarchy, at.place(), Vec::new());
         }
         if self.skeletons.count() == 1 {
-            self.second_root = Some(at.place);
+            self.second_root = Some(at.place());
         }
         self.add_joint(at, after, None, false)
     }
@@ -185,7 +195,7 @@ impl<'a> Builder<'a> {
             let details = vec![excerpt(at.rest)];
             return Err(ParseError::new(
                 ErrorKind::JointOutsideRoot,
-                at.place,
+                at.place(),
                 details,
             ));
         }
@@ -201,16 +211,20 @@ impl<'a> Builder<'a> {
     ) -> Step<'t> {
         if self.skeletons.joint_count() == self.limits.joints {
             let details = vec![self.limits.joints.to_string()];
-            return Err(ParseError::new(ErrorKind::TooManyJoints, at.place, details));
+            return Err(ParseError::new(
+                ErrorKind::TooManyJoints,
+                at.place(),
+                details,
+            ));
         }
         let (name, rest) = after.name();
         let mut name = name.to_owned();
         if name.is_empty() && !is_end_site {
             name = format!("Joint{}", self.skeletons.joint_count() + 1);
             self.notes
-                .add(NoteKind::UnnamedJoint, at.place, vec![name.clone()]);
+                .add(NoteKind::UnnamedJoint, at.place(), vec![name.clone()]);
         }
-        let joint = self.skeletons.add(name, parent, is_end_site, at.place);
+        let joint = self.skeletons.add(name, parent, is_end_site, at.place());
         self.declared = Some(Block::Joint(joint));
         Ok(rest)
     }
@@ -224,7 +238,11 @@ impl<'a> Builder<'a> {
         for component in 0..3 {
             if rest.rest.is_empty() || rest.is_at_brace() {
                 let details = vec![self.skeletons.called(joint), component.to_string()];
-                return Err(ParseError::new(ErrorKind::ShortOffset, rest.place, details));
+                return Err(ParseError::new(
+                    ErrorKind::ShortOffset,
+                    rest.place(),
+                    details,
+                ));
             }
             offset[component] = self.offset_number(joint, rest)?;
             rest = rest.word().1;
@@ -235,33 +253,35 @@ impl<'a> Builder<'a> {
 
     fn offset_number(&mut self, joint: usize, at: Cursor<'_>) -> Result<f64, ParseError> {
         let word = at.word().0;
-        self.check_mark(word, at.place)?;
+        self.check_mark(at)?;
         match number::word(word.as_bytes()) {
             Word::Number(number) => Ok(number),
             Word::NotANumber => {
                 let details = vec![self.skeletons.called(joint), excerpt(word)];
                 self.notes
-                    .add(NoteKind::OffsetNotANumber, at.place, details);
+                    .add(NoteKind::OffsetNotANumber, at.place(), details);
                 Ok(0.0)
             }
             Word::Text => {
                 let details = vec![excerpt(word)];
-                Err(ParseError::new(ErrorKind::NotANumber, at.place, details))
+                Err(ParseError::new(ErrorKind::NotANumber, at.place(), details))
             }
         }
     }
 
-    fn check_mark(&mut self, word: &str, at: Place) -> Result<(), ParseError> {
+    fn check_mark(&mut self, at: Cursor<'_>) -> Result<(), ParseError> {
+        let word = at.word().0;
         let Some(mark) = number::mark(word.as_bytes()) else {
             return Ok(());
         };
         if self.mark.is_none() && mark == Mark::Comma {
-            self.notes.add(NoteKind::DecimalComma, at, Vec::new());
+            self.notes
+                .add(NoteKind::DecimalComma, at.place(), Vec::new());
         }
         let used = *self.mark.get_or_insert(mark);
         match used == mark {
             true => Ok(()),
-            false => Err(mixed_marks(word, used, at)),
+            false => Err(mixed_marks(word, used, at.place())),
         }
     }
 
@@ -269,7 +289,7 @@ impl<'a> Builder<'a> {
         let Some(Block::Joint(joint)) = self.blocks.last().copied() else {
             return self.unknown(at);
         };
-        let (channels, names) = Channels::begin(joint, at.place, after);
+        let (channels, names) = Channels::begin(joint, at.place(), after);
         self.channels = Some(channels);
         match names.rest.is_empty() {
             true => names,
@@ -288,7 +308,8 @@ impl<'a> Builder<'a> {
         self.skeletons.add_channel(joint, channel);
         if channel == Channel::Other {
             let details = vec![excerpt(at.word().0), self.skeletons.called(joint)];
-            self.notes.add(NoteKind::SkippedChannel, at.place, details);
+            self.notes
+                .add(NoteKind::SkippedChannel, at.place(), details);
         }
         Some(after)
     }
@@ -310,7 +331,7 @@ impl<'a> Builder<'a> {
         self.close_all(end, end.rest);
         self.skeletons.end(self.notes);
         if self.skeletons.count() == 0 {
-            return Err(ParseError::new(ErrorKind::NoRoot, end.place, Vec::new()));
+            return Err(ParseError::new(ErrorKind::NoRoot, end.place(), Vec::new()));
         }
         if let Some(place) = self.second_root {
             let details = vec![self.skeletons.count().to_string()];

@@ -5,8 +5,9 @@
 //! and with zeros before them. Two neighbours are summed, then two pairs, then two fours; the sum of
 //! all, below 10¹⁵, is exact, and so is the power of ten that it is divided by.
 
+use super::order::Order;
 use wide::bytemuck::cast;
-use wide::{f64x2, i16x8, i32x8, u8x16, u16x8, u64x2};
+use wide::{f64x2, i16x8, i32x8, u16x8, u64x2};
 
 /// The longest word in bytes and one more.
 const LIMIT: usize = 16;
@@ -28,8 +29,7 @@ pub struct ShortWord {
 /// What is done with the bytes of a word.
 #[derive(Clone, Copy)]
 struct Shape {
-    /// Where each of 16 digits is from; 16 for none.
-    order: [u8; LIMIT],
+    order: Order,
     /// One with as many zeros as there are decimals.
     divisor: f64,
 }
@@ -39,7 +39,7 @@ static SHAPES: [Shape; LIMIT * LIMIT] = shapes();
 
 const fn shapes() -> [Shape; LIMIT * LIMIT] {
     let mut shapes = [shape(0, 0); LIMIT * LIMIT];
-    let mut index = 0;
+    let mut index = 1;
     while index < LIMIT * LIMIT {
         shapes[index] = shape(index / LIMIT, index % LIMIT);
         index += 1;
@@ -48,25 +48,16 @@ const fn shapes() -> [Shape; LIMIT * LIMIT] {
 }
 
 const fn shape(length: usize, point: usize) -> Shape {
-    let mut shape = Shape {
-        order: [LIMIT as u8; LIMIT],
-        divisor: 1.0,
-    };
-    let first = LIMIT - length;
-    let has_point = point < length;
-    let mut place = 0;
-    while place < length {
-        let is_decimal = has_point && place > point;
-        let moved = (has_point && place < point) as usize;
-        if place != point {
-            shape.order[first + place + moved] = (first + place) as u8;
-        }
-        if is_decimal {
-            shape.divisor *= 10.0;
-        }
-        place += 1;
+    let mut divisor = 1.0;
+    let mut decimals = point + 1;
+    while decimals < length {
+        divisor *= 10.0;
+        decimals += 1;
     }
-    shape
+    Shape {
+        order: Order::of(length, point),
+        divisor,
+    }
 }
 
 /// The numbers that two words are, to the bit.
@@ -89,17 +80,11 @@ pub fn pair(window: &[u8; WINDOW], words: [ShortWord; 2]) -> [f64; 2] {
 #[inline]
 fn fours(window: &[u8; WINDOW], end: usize, shape: &Shape) -> wide::i32x4 {
     let bytes = window[end..].first_chunk().unwrap_or(&[b'0'; LIMIT]);
-    let digits = ordered(*bytes, shape);
+    let digits = shape.order.of_digits(*bytes);
     // Of two digits the first is in the lower byte: ten times it and the second come into the upper.
-    let pairs = cast::<_, u16x8>(digits) * u16x8::splat(10 << 8 | 1) >> 8;
+    let tens_and_ones = cast::<_, u16x8>(digits) * u16x8::splat(10 << 8 | 1);
+    let pairs = tens_and_ones >> 8;
     cast::<_, i16x8>(pairs).dot(i16x8::new([100, 1, 100, 1, 100, 1, 100, 1]))
-}
-
-/// The digits of a word, zeros before them.
-#[inline]
-fn ordered(bytes: [u8; LIMIT], shape: &Shape) -> u8x16 {
-    let digits = cast::<_, u8x16>(bytes) - u8x16::splat(b'0');
-    digits.shuffle_zeroing(cast(shape.order))
 }
 
 /// Numbers below 2³² as `f64`: with the bits of 2⁵² they are the lowest bits of one.

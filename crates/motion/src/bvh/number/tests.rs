@@ -7,7 +7,7 @@ use crate::test_random::Random;
 fn read(text: &str) -> Word {
     match plain(text.as_bytes(), 0, Some(Mark::Point)) {
         Some((number, end)) if end == text.len() => Word::Number(number),
-        _ => word(text.as_bytes()),
+        _ => odd_word(text.as_bytes()),
     }
 }
 
@@ -27,7 +27,7 @@ fn check(text: &str) {
 /// The word and what is read of it, by whichever way takes it, must be the same.
 fn check_ways(text: &str) {
     let bits = |number: f64| number.to_bits();
-    let known = match word(text.as_bytes()) {
+    let known = match odd_word(text.as_bytes()) {
         Word::Number(number) => Some(bits(number)),
         _ => None,
     };
