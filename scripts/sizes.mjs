@@ -26,15 +26,15 @@ function loadedFiles() {
       if (protocol === 'http:' && !startedMs.has(file)) startedMs.set(file, Date.now());
     });
     await page.goto(address, { waitUntil: 'networkidle' });
-    await page.waitForFunction(
-      (mark) => performance.getEntriesByName(mark).length > 0,
-      prefetchMark,
-    );
+    // Polled from outside: the page's policy forbids what waitForFunction evaluates.
+    const marked = () =>
+      page.evaluate((mark) => {
+        const entry = performance.getEntriesByName(mark)[0];
+        return entry && performance.timeOrigin + entry.startTime;
+      }, prefetchMark);
+    while ((await marked()) === undefined) await page.waitForTimeout(100);
     await page.waitForLoadState('networkidle');
-    const markMs = await page.evaluate(
-      (mark) => performance.timeOrigin + performance.getEntriesByName(mark)[0].startTime,
-      prefetchMark,
-    );
+    const markMs = await marked();
     const files = [...startedMs.keys()].sort();
     const isAhead = (file) => startedMs.get(file) >= Math.floor(markMs);
     return {

@@ -11,7 +11,7 @@ function zooms({ span, zoom: zoomed, openClip }: Store): Record<Zoom, boolean> {
   const isZoomed = zoomed.value !== null;
   const frames = openClip.value?.result?.frames ?? 0;
   const least = Math.min(SHORTEST_SPAN, frames - 1);
-  return { in: last - first > least, out: isZoomed, all: isZoomed };
+  return { in: last - first > least + 1e-6, out: isZoomed, all: isZoomed };
 }
 
 export function mountTransport(place: HTMLElement, context: Context): void {
