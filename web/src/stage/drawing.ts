@@ -49,6 +49,8 @@ export class Drawing {
   private readonly quality = new Quality();
   private readonly tags: StageTags;
   private readonly picker: Picker;
+  /** Where tags may be. */
+  private readonly area = { width: 0, height: 0, left: 0, right: 0 };
   private readonly observer: ResizeObserver;
   private props: StageProps;
   private preset: ViewPreset | null;
@@ -108,6 +110,7 @@ export class Drawing {
       this.unframed ||= !sameWorld(props.performers, before.performers);
       this.setPerformers(props.performers);
     }
+    Object.assign(this.area, props.corners);
     this.setMoments(props, before);
     this.tags.setProps(props);
     if (props.follow && !before.follow) this.rig.startFollowing(this.framing());
@@ -127,7 +130,6 @@ export class Drawing {
     this.preset = preset;
     const performer = this.props.performers[0] as StagePerformer | undefined;
     if (performer === undefined || !this.scene.ready) return;
-    this.scene.forgetReach();
     const view = presetView(preset, performer, this.width / this.height, this.scene.place);
     this.rig.place(view, !this.unframed && !this.props.reducedMotion);
     this.unframed = false;
@@ -227,6 +229,7 @@ export class Drawing {
   private readonly onResize = (): void => {
     this.width = this.target.clientWidth;
     this.height = this.target.clientHeight;
+    Object.assign(this.area, { width: this.width, height: this.height });
     if (this.width === 0 || this.height === 0) return;
     this.setSize();
     // The canvas is empty now: drawn in the same frame it does not flicker.
@@ -276,8 +279,7 @@ export class Drawing {
     this.scene.setGridCentre(this.rig.targetX, this.rig.targetZ);
     this.scene.setEye(this.rig.camera.position);
     this.renderer.render(this.scene.scene, this.rig.camera);
-    const { width, height } = this;
-    this.tags.place(this.scene, this.rig.camera, { width, height, ...this.props.corners });
+    this.tags.place(this.scene, this.rig.camera, this.area);
     this.framesDrawn++;
     this.lastFrameMs = performance.now() - startMs;
     if (this.moving) this.requestDraw();

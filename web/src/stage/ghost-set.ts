@@ -4,6 +4,8 @@ import type { Figure, FigureSet } from './figure-set';
 import { type GhostMatter, GhostView } from './ghost-view';
 import type { StageGhost } from './stage-props';
 
+const fartherFirst = (a: GhostView, b: GhostView): number => b.distance - a.distance;
+
 const nobody: StageGhost = { tag: '', pose: new Float32Array() };
 
 /** At the previous keypose and at the next, and at the moment under the pointer. */
@@ -57,9 +59,12 @@ export class GhostSet {
 
   /** The farthest is drawn first. */
   sort(eye: Vector3): void {
-    const far = ({ x, z }: GhostView): number => Math.hypot(x - eye.x, z - eye.z);
-    this.shown.sort((a, b) => far(b) - far(a));
-    for (let i = 0; i < this.shown.length; i++) this.shown[i].order = i;
+    const { shown } = this;
+    for (let i = 0; i < shown.length; i++) {
+      shown[i].distance = Math.hypot(shown[i].x - eye.x, shown[i].z - eye.z);
+    }
+    shown.sort(fartherFirst);
+    for (let i = 0; i < shown.length; i++) shown[i].order = i;
   }
 
   clear(): void {

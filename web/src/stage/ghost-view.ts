@@ -61,6 +61,8 @@ export class GhostView implements GroundFigure {
   /** Here for a moment only. */
   passing = false;
   groundReach = 0;
+  /** From the eye over the ground. */
+  distance = 0;
   x = 0;
   z = 0;
   private readonly look: FigureLook;
@@ -89,7 +91,8 @@ export class GhostView implements GroundFigure {
 
   /** Of several ghosts the one with the lower number is drawn first. */
   set order(order: number) {
-    this.meshes.forEach((mesh, i) => (mesh.renderOrder = FIRST_ORDER + order * 2 + i));
+    this.meshes[0].renderOrder = FIRST_ORDER + order * 2;
+    this.meshes[1].renderOrder = FIRST_ORDER + order * 2 + 1;
   }
 
   /** Takes over what the ground has to know of its pose. */

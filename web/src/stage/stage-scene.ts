@@ -15,6 +15,8 @@ import { trailPaths, trailTime } from './trail-paths';
 
 /** Metres between the lines of the grid; in body heights where the unit is unknown. */
 const CELL = 0.5;
+/** Ghosts at most this part as far away as before are much nearer. */
+const NEARER = 0.75;
 
 export class StageScene {
   readonly scene = new Scene();
@@ -94,12 +96,6 @@ export class StageScene {
     if (chosen === this.chosen) return;
     this.chosen = chosen;
     if (this.ready) this.changeFigure();
-  }
-
-  /** The picture may become narrower again: ghosts count from now on. */
-  forgetReach(): void {
-    this.place.ghosts = 0;
-    this.placeFigures();
   }
 
   setGhosts(ghosts: readonly StageGhost[]): void {
@@ -194,13 +190,15 @@ export class StageScene {
     for (let i = 0; i < figures.length; i++) {
       if (figures[i].drawable && figures[i] !== chosenFigure) shades.push(figures[i]);
     }
+    let farthest = 0;
     for (let i = 0; i < this.ghosts.shown.length; i++) {
       const ghost = this.ghosts.shown[i];
       shades.push(ghost);
-      // The most so far: the picture does not breathe from keypose to keypose.
-      if (!ghost.passing)
-        place.ghosts = Math.max(place.ghosts, Math.hypot(ghost.x - place.x, ghost.z - place.z));
+      if (ghost.passing) continue;
+      farthest = Math.max(farthest, Math.hypot(ghost.x - place.x, ghost.z - place.z));
     }
+    // Much nearer, and the camera comes nearer too; else the picture would breathe from keypose to keypose.
+    if (farthest > place.ghosts || farthest < NEARER * place.ghosts) place.ghosts = farthest;
     this.ground.setFigures(shades);
   }
 

@@ -11,6 +11,9 @@ const ABOVE = 0.1;
 const TAG_WIDTH = 16;
 const DIGIT_WIDTH = 7;
 
+/** While the figures are on their way. */
+const nobody = { pose: null, drawable: false };
+
 class Tag implements TagPlace {
   x = 0;
   y = 0;
@@ -78,13 +81,15 @@ export class StageTags {
     const standing = figure?.drawable ? figure.pose : null;
     this.laid.length = 0;
     this.aim(this.current, standing, 0, camera, area);
-    this.ghosts.forEach((tag, i) => this.aim(tag, ghostViews[i]?.pose ?? null, 0, camera, area));
+    for (let i = 0; i < this.ghosts.length; i++) {
+      this.aim(this.ghosts[i], ghostViews[i]?.pose ?? null, 0, camera, area);
+    }
     this.lay(area);
     this.laid.length = 0;
-    this.letters.forEach((tag, i) => {
-      const { pose, drawable } = scene.figures[i] ?? { pose: null, drawable: false };
-      this.aim(tag, drawable ? pose : null, (pose?.top ?? 0) + ABOVE, camera, area);
-    });
+    for (let i = 0; i < this.letters.length; i++) {
+      const { pose, drawable } = scene.figures[i] ?? nobody;
+      this.aim(this.letters[i], drawable ? pose : null, (pose?.top ?? 0) + ABOVE, camera, area);
+    }
     this.lay(area);
   }
 

@@ -23,13 +23,15 @@ const EDGE = 8;
 /** Height of the words in the corners, with air above. */
 const CORNER_HEIGHT = 34;
 
-/** Moves the tags (middles x, y) in place. */
-export function layTags(tags: readonly TagPlace[], area: TagArea): void {
-  for (const tag of tags) keepInside(tag, area);
-  const inOrder = [...tags].sort((a, b) => a.x - b.x);
-  for (let round = 0; round < 12 && pushApart(inOrder); round++);
-  sweep(inOrder, area);
+/** Moves the tags (middles x, y) and puts them in order from the left. */
+export function layTags(tags: TagPlace[], area: TagArea): void {
+  for (let i = 0; i < tags.length; i++) keepInside(tags[i], area);
+  tags.sort(fromLeft);
+  for (let round = 0; round < 12 && pushApart(tags); round++);
+  sweep(tags, area);
 }
+
+const fromLeft = (a: TagPlace, b: TagPlace): number => a.x - b.x;
 
 /** Inside the stage and above the words in its lower corners. */
 function keepInside(tag: TagPlace, { width, height, left, right }: TagArea): void {
@@ -66,7 +68,8 @@ function sweep(tags: readonly TagPlace[], area: TagArea): void {
     for (let j = 0; j < i; j++) tags[i].x += overlap(tags[j], tags[i]);
   }
   let right = area.width - EDGE;
-  for (const tag of [...tags].reverse()) {
+  for (let i = tags.length - 1; i >= 0; i--) {
+    const tag = tags[i];
     if (tag.x + tag.width / 2 <= right) break;
     tag.x = right - tag.width / 2;
     right = tag.x - tag.width / 2 - GAP;

@@ -45,6 +45,20 @@ describe('framing', () => {
   });
 });
 
+describe('framing of ghosts', () => {
+  const half = (aspect: number, ghosts: number): number =>
+    framing(aspect, { ...alone, ghosts }).distance * Math.tan((23 / 360) * Math.PI);
+
+  it('lets them be where there is room, and makes room where there is none', () => {
+    expect(half(2.5, 1)).toBeCloseTo(0.67, 9);
+    expect(half(1.2, 0.5)).toBeCloseTo(1 / 1.2, 9);
+  });
+
+  it('does not make the figure small for a ghost far away', () => {
+    expect(half(2, 30)).toBeCloseTo(0.67 * 1.5, 9);
+  });
+});
+
 describe('mixViews', () => {
   const from: View = {
     yawRad: 3,

@@ -21,6 +21,8 @@ const TOP_ELEVATION_RAD = 1.555;
 /** Half the height and half the width that the framing keeps free around the figure. */
 const FRAMED_HALF_HEIGHT = 0.67;
 const FRAMED_HALF_WIDTH = 0.6;
+/** A ghost may come nearer to the edge. */
+const GHOST_HALF_WIDTH = 0.5;
 const TARGET_HEIGHT = 0.54;
 /** How much wider the picture may become for the ghosts. */
 const MOST_ROOM = 1.5;
@@ -61,7 +63,7 @@ export function framing(aspect: number, place: Place): Framing {
   const halfHeight = FRAMED_HALF_HEIGHT + (above + below) / 2;
   const alone = Math.max(halfHeight, halfWidth / shape);
   // Ghosts far away do not make the figure small.
-  const half = Math.max(alone, Math.min((FRAMED_HALF_WIDTH + ghosts) / shape, alone * MOST_ROOM));
+  const half = Math.max(alone, Math.min((GHOST_HALF_WIDTH + ghosts) / shape, alone * MOST_ROOM));
   return {
     // The nearest of several figures may stand before the middle.
     distance: half / Math.tan((LENS_DEGREES * Math.PI) / 360) + reach,
