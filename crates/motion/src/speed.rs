@@ -33,12 +33,15 @@ pub fn motion_speed(track: &PelvisTrack, frame_rate_hz: f64, cutoff_hz: f64) -> 
     run.finish()
 }
 
-/// What is done with eight columns, and as far as which row it is done.
+/// What is done with eight columns, and from which row on.
 #[derive(Clone, Copy, Debug)]
 enum Stage {
     Gather(usize),
     Filter,
     Add(usize),
+    /// After the last columns: from squares to speeds.
+    Root(usize),
+    Done,
 }
 
 /// The computation of a motion speed, cut into steps.
@@ -73,7 +76,10 @@ impl SpeedRun {
             filter,
             solution: Solution::default(),
             first_column: 0,
-            stage: Stage::Gather(0),
+            stage: match track.frames() {
+                0 | 1 => Stage::Done,
+                _ => Stage::Gather(0),
+            },
             columns: Vec::with_capacity(track.frames()),
             squares: vec![0.0; track.frames().saturating_sub(1)],
             part_squares: Vec::new(),
@@ -98,6 +104,8 @@ impl SpeedRun {
             Stage::Gather(row) => self.gather(track, row, budget),
             Stage::Filter => self.filter(budget),
             Stage::Add(step) => self.add_squared_steps(step, budget),
+            Stage::Root(step) => self.take_roots(step, budget),
+            Stage::Done => {}
         }
         self.is_done()
     }
@@ -106,16 +114,12 @@ impl SpeedRun {
     pub fn progress(&self) -> f64 {
         match self.is_done() {
             true => 1.0,
-            false => self.first_column as f64 / self.width as f64,
+            false => self.first_column as f64 / (self.width + LANES) as f64,
         }
     }
 
     /// The speed, once [`SpeedRun::advance`] has said true.
-    pub fn finish(mut self) -> MotionSpeed {
-        let parts = self.part_squares.iter_mut().flatten();
-        for value in self.squares.iter_mut().chain(parts) {
-            *value = self.frame_rate_hz * value.sqrt();
-        }
+    pub fn finish(self) -> MotionSpeed {
         MotionSpeed {
             values: self.squares,
             filtered: self.filter.is_some(),
@@ -124,7 +128,7 @@ impl SpeedRun {
     }
 
     fn is_done(&self) -> bool {
-        self.first_column >= self.width || self.squares.is_empty()
+        matches!(self.stage, Stage::Done)
     }
 
     /// Gathers the next columns: side by side in memory they are filtered several times as fast.
@@ -182,8 +186,23 @@ impl SpeedRun {
         self.stage = Stage::Add(end);
         if end == self.squares.len() {
             self.first_column += LANES;
-            self.stage = Stage::Gather(0);
+            self.stage = match self.first_column < self.width {
+                true => Stage::Gather(0),
+                false => Stage::Root(0),
+            };
         }
+    }
+
+    fn take_roots(&mut self, first: usize, budget: usize) {
+        let end = first.saturating_add(budget).min(self.squares.len());
+        let parts = self.part_squares.iter_mut().skip(first).take(end - first);
+        for value in self.squares[first..end].iter_mut().chain(parts.flatten()) {
+            *value = self.frame_rate_hz * value.sqrt();
+        }
+        self.stage = match end == self.squares.len() {
+            true => Stage::Done,
+            false => Stage::Root(end),
+        };
     }
 }
 

@@ -18,6 +18,9 @@ import { patchClip, type Store } from './store';
 
 export const settleMs = 150;
 
+/** The name under which the browser's timeline notes that a clip's keyposes are known. */
+const keyposesMark = 'keyposes';
+
 export interface Analysis {
   /** Reads and analyses a clip for the first time. */
   readonly open: (id: ClipId, signal: AbortSignal) => Promise<void>;
@@ -49,12 +52,14 @@ class ClipAnalysis implements Analysis {
   async open(id: ClipId, signal: AbortSignal): Promise<void> {
     const clip = this.clipOf(id);
     if (!clip) return;
-    const options = this.store.options.peek();
+    const { options } = this.store;
+    const begunWith = options.peek();
     const onProgress = ({ stage, done }: Progress): void =>
       patchClip(this.store, id, { status: stage, progress: done });
     try {
       const work = { signal, onProgress };
-      this.accept(id, await this.engine.open(id, clip.source, clip.decisions, options, work));
+      this.accept(id, await this.engine.open(id, clip.source, clip.decisions, begunWith, work));
+      if (options.peek() !== begunWith) this.decide(id, clip.decisions);
     } catch (error) {
       if (isAbort(error)) throw error;
       patchClip(this.store, id, { status: 'failed', failure: failureOf(error) });
@@ -105,6 +110,7 @@ class ClipAnalysis implements Analysis {
   private accept(id: ClipId, result: ClipResult): void {
     const done = { status: 'ready', progress: 1, failure: null, outdated: false } as const;
     patchClip(this.store, id, { ...done, result });
+    performance.mark(keyposesMark, { detail: id });
     this.drawThumbnail(id, result).catch(() => patchClip(this.store, id, { thumbnail: null }));
   }
 

@@ -27,6 +27,8 @@ export function createOpener(store: Store, open: (id: ClipId) => void): Opener {
       open(id);
     },
     settled(id, batchSize) {
+      // Taken out of the library while it was read.
+      if (store.clips.peek()[id]?.removed) return;
       if (batchSize === 1) open(id);
       else if (isFailure()) openFirstReady();
     },

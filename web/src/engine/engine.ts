@@ -179,7 +179,7 @@ class WorkerEngine implements Engine {
     clip.run.abort();
     if (clip.slot === null) return;
     this.pool.tell(clip.slot, (api) => api.close(id));
-    this.pool.retire(clip.slot, TIRED_BYTES);
+    this.pool.retire(clip.slot, id, TIRED_BYTES);
   }
 
   destroy(): void {

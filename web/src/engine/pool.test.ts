@@ -221,9 +221,9 @@ describe('pool', () => {
     large.control.end(done('', { wasmBytes: 300, motionBytes: 0 }));
     await settled();
     void pool.enqueue(busy.made);
-    pool.retire(0, 400);
+    pool.retire(0, 7, 400);
     expect(workers[0]?.terminated).toBe(false);
-    pool.retire(0, 200);
+    pool.retire(0, 7, 200);
     void pool.enqueue(waiting.made);
     expect(workers[0]?.terminated).toBe(false);
     busy.control.end(done('', { wasmBytes: 300, motionBytes: 0 }));
@@ -231,6 +231,32 @@ describe('pool', () => {
     expect(workers[0]?.terminated).toBe(true);
     expect(workers).toHaveLength(2);
     expect(waiting.control.slot).toBe(0);
+  });
+
+  it('replaces the worker of a cancelled clip that has grown, when it says so', async () => {
+    const { workers, spawn } = fakeWorkers();
+    const pool = new Pool(spawn, 1);
+    const abort = new AbortController();
+    const large = task({ clip: 7, signal: abort.signal });
+    const cancelled = expect(pool.enqueue(large.made)).rejects.toMatchObject({ name: 'AbortError' });
+    abort.abort();
+    await cancelled;
+    pool.retire(0, 7, 200);
+    expect(workers[0]?.terminated).toBe(false);
+    large.control.end({ status: 'cancelled', memory: { wasmBytes: 300, motionBytes: 0 } });
+    await settled();
+    expect(workers[0]?.terminated).toBe(true);
+  });
+
+  it('keeps the worker of another clip that has grown', async () => {
+    const { workers, spawn } = fakeWorkers();
+    const pool = new Pool(spawn, 1);
+    const large = task({ clip: 8 });
+    void pool.enqueue(large.made);
+    pool.retire(0, 7, 200);
+    large.control.end(done('', { wasmBytes: 300, motionBytes: 0 }));
+    await settled();
+    expect(workers[0]?.terminated).toBe(false);
   });
 
   it('tells progress to the task whose it is', () => {

@@ -73,6 +73,8 @@ interface Flight {
   readonly job: JobId;
   readonly task: Task<unknown>;
   readonly settle: (result: Landed<unknown> | Error) => void;
+  /** Its clip was closed meanwhile: the worker goes if its memory has grown above this. */
+  retireAbove: number;
 }
 
 interface Slot {
@@ -137,12 +139,16 @@ export class Pool {
     if (worker !== null) message(worker.api).catch(() => undefined);
   }
 
-  /** Replaces the slot's worker, once it is idle, if its memory has grown above the limit. */
-  retire(slot: number, limitBytes: number): void {
+  /**
+   * A clip was closed: replaces the slot's worker, once it is idle, if its memory has grown above the
+   * limit. What is still under way for the clip says so only when it lands.
+   */
+  retire(slot: number, clip: ClipId, limitBytes: number): void {
     const found = this.slotAt(slot);
-    if (found.wasmBytes <= limitBytes) return;
-    found.tired = true;
-    this.rest(found);
+    for (const flight of found.flights) {
+      if (flight.task.clip === clip) flight.retireAbove = limitBytes;
+    }
+    this.tireAbove(found, limitBytes);
   }
 
   destroy(): void {
@@ -193,7 +199,8 @@ export class Pool {
 
   private launch(slot: Slot, task: Task<unknown>, settle: Waiting['settle']): Flight {
     const worker = this.hire(slot);
-    const flight: Flight = { job: ++this.lastJob, task, settle };
+    const retireAbove = Number.POSITIVE_INFINITY;
+    const flight: Flight = { job: ++this.lastJob, task, settle, retireAbove };
     slot.flights.add(flight);
     task.placed?.(slot.index);
     task.signal?.addEventListener('abort', () => this.cancel(slot, flight), { once: true });
@@ -212,6 +219,7 @@ export class Pool {
     }
     slot.wasmBytes = outcome.memory.wasmBytes;
     flight.settle(resultOf(outcome, slot.index));
+    this.tireAbove(slot, flight.retireAbove);
     this.leave(slot, flight);
   }
 
@@ -220,6 +228,12 @@ export class Pool {
     if (slot.long === flight) slot.long = null;
     this.rest(slot);
     this.dispatch();
+  }
+
+  private tireAbove(slot: Slot, limitBytes: number): void {
+    if (slot.wasmBytes <= limitBytes) return;
+    slot.tired = true;
+    this.rest(slot);
   }
 
   private rest(slot: Slot): void {

@@ -1,0 +1,30 @@
+import { expect, test } from 'vitest';
+import { createOpener } from './opening';
+import { addClip, createStore, patchClip } from './store';
+
+function setUp(names: readonly string[]) {
+  const store = createStore();
+  for (const name of names) addClip(store, { name, folder: '', blob: new Blob(['x']) });
+  const opener = createOpener(store, (id) => {
+    store.openId.value = id;
+  });
+  return { store, opener };
+}
+
+test('the first file opens by itself, and one that was given alone when it has been read', () => {
+  const { store, opener } = setUp(['a.bvh', 'b.bvh']);
+  opener.started(0);
+  expect(store.openId.value).toBe(0);
+  opener.started(1);
+  expect(store.openId.value).toBe(0);
+  opener.settled(1, 1);
+  expect(store.openId.value).toBe(1);
+});
+
+test('a file that was removed while it was read does not open', () => {
+  const { store, opener } = setUp(['a.bvh', 'b.bvh']);
+  opener.started(0);
+  patchClip(store, 1, { removed: true });
+  opener.settled(1, 1);
+  expect(store.openId.value).toBe(0);
+});
