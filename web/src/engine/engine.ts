@@ -39,7 +39,10 @@ export interface EngineSettings {
   readonly motionBytes?: number;
 }
 
-/** A worker whose memory has grown above this is replaced when its clip closes: 256 MB. */
+/**
+ * A worker whose memory has grown above this is replaced when its clip closes or its motion is
+ * dropped: memory of WebAssembly never shrinks. 256 MB.
+ */
 const TIRED_BYTES = 256 * 2 ** 20;
 
 /** How often a task begins again because its worker was replaced for another's sake. */
@@ -261,7 +264,12 @@ class WorkerEngine implements Engine {
 
   private dropMotion(id: ClipId): void {
     const slot = this.clips.get(id)?.slot ?? null;
-    if (slot !== null) this.pool.tell(slot, (api) => api.dropMotion(id));
+    if (slot === null) return;
+    this.pool.tell(slot, (api) => api.dropMotion(id));
+    // Not under the feet of another clip, which would have to be read again.
+    const neighbours = [...this.clips.values()].filter((clip) => clip.slot === slot);
+    const isNeeded = neighbours.some((clip) => this.memory.holds(clip.id));
+    if (!isNeeded && !this.pool.isBusy(slot)) this.pool.retire(slot, id, TIRED_BYTES);
   }
 
   private refOf(clip: OpenClip): ClipRef {

@@ -22,6 +22,10 @@ export class MotionMemory {
     this.kept = id;
   }
 
+  holds(id: ClipId): boolean {
+    return this.bytes.has(id);
+  }
+
   isKept(id: ClipId): boolean {
     return this.kept === id;
   }

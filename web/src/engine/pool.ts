@@ -151,6 +151,11 @@ export class Pool {
     this.tireAbove(found, limitBytes);
   }
 
+  /** Whether anything is under way in the slot. */
+  isBusy(slot: number): boolean {
+    return this.slotAt(slot).flights.size > 0;
+  }
+
   destroy(): void {
     this.destroyed = true;
     for (const waiting of this.waiting.splice(0)) waiting.settle(abortError());
