@@ -48,7 +48,7 @@ function recordings() {
   ];
 }
 
-/** `{ sets: [{ title, paths }], long: [path] }`; `frames` are those of the long clips. */
+/** `{ sets: [{ title, paths }], long: [path], samples: [path] }`; `frames` are those of the long clips. */
 export function benchmarkFiles(folder, frames) {
   mkdirSync(folder, { recursive: true });
   const samples = writeSamples(join(folder, 'samples'));
@@ -61,5 +61,5 @@ export function benchmarkFiles(folder, frames) {
     ...recordings(),
     ...long.map((path, index) => ({ title: `${frames[index]} frames`, paths: [path] })),
   ];
-  return { sets, long };
+  return { sets, long, samples };
 }

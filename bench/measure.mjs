@@ -63,3 +63,9 @@ export async function measureOpening(address, path, runs) {
     chromium: many.version,
   };
 }
+
+/** The JavaScript of one frame of the stage, in ms, and what it draws, by number of figures. */
+export async function measureStage(address, path, counts) {
+  const { value } = await inFreshPage(address, [path], 'drawFrames', basename(path), counts);
+  return value.map(({ frameMs, ...drawn }) => ({ ...drawn, frame: spread(frameMs) }));
+}

@@ -21,11 +21,21 @@ export class RendererMemory {
     return new RendererMemory(renderers.map(({ id }) => id));
   }
 
-  /** Bytes; null where they cannot be known. A spare renderer takes no part and adds nothing. */
+  /** Bytes at the peak; null where they cannot be known. */
   peakBytes() {
+    return this.grownBytes('VmHWM');
+  }
+
+  /** Bytes now; null where they cannot be known. */
+  nowBytes() {
+    return this.grownBytes('VmRSS');
+  }
+
+  /** A spare renderer takes no part and adds nothing. */
+  grownBytes(field) {
     const grown = this.before
       .filter(({ pid }) => existsSync(`/proc/${pid}/status`))
-      .map(({ pid, kb }) => kilobytes(pid, 'VmHWM') - kb);
+      .map(({ pid, kb }) => kilobytes(pid, field) - kb);
     return grown.length === 0 ? null : Math.max(...grown) * 1024;
   }
 }

@@ -53,17 +53,87 @@ function openingTable(opening) {
   return table(header, rows);
 }
 
+const times = (bytes, of) => (bytes === null ? '–' : (bytes / of).toFixed(1));
+const milliseconds = (ms) => ms.toFixed(0);
+
+function dropTable({ drop, long }) {
+  const header = ['dropped on the app, ms', 'MB', 'first', 'later', 'longest task', '× file'];
+  const rows = [
+    [
+      'keyposes known',
+      megabytes(drop.bytes),
+      milliseconds(drop.first.keyposesMs),
+      told(drop.keyposes),
+    ],
+    [
+      'first frame to WebGL',
+      megabytes(drop.bytes),
+      milliseconds(drop.first.frameMs),
+      told(drop.frame),
+    ],
+    ...long.map((one) => [
+      'an hour, keyposes known',
+      megabytes(one.bytes),
+      milliseconds(one.firstMs),
+      milliseconds(one.secondMs),
+      milliseconds(one.longestTaskMs),
+      times(one.memoryBytes, one.bytes),
+    ]),
+  ];
+  const empty = header.map(() => '');
+  return table(
+    header,
+    rows.map((row) => [...row, ...empty.slice(row.length)]),
+  );
+}
+
+function cancelLine({ idleMs, clips, heldBytes, leftBytes }) {
+  const memory =
+    heldBytes === null
+      ? ''
+      : `; memory ${megabytes(heldBytes)} MB before, ${megabytes(leftBytes)} MB after`;
+  return `cancelled half-way: idle after ${milliseconds(idleMs)} ms, clips left: ${clips}${memory}.`;
+}
+
+function stageTable(stage) {
+  const header = [
+    'stage, one frame',
+    'JavaScript, ms',
+    'draw calls',
+    'triangles',
+    'uniform vectors',
+  ];
+  const rows = stage.map((one) => [
+    one.figures === 1 ? '1 figure' : `${one.figures} figures`,
+    told(one.frame),
+    one.drawCalls,
+    one.triangles,
+    one.uniformVectors,
+  ]);
+  return table(header, rows);
+}
+
+function folderTable(folder) {
+  const header = ['`keypose keyposes DIR`', 'MB', 'MB/s a core', 'clips/s a core'];
+  const { clips, bytes, megabytesPerSecond, clipsPerSecond } = folder;
+  return table(header, [
+    [`${clips} clips`, megabytes(bytes), told(megabytesPerSecond), told(clipsPerSecond)],
+  ]);
+}
+
 function bitsLine(reading) {
   const sum = (key) => reading.reduce((all, { bits }) => all + bits[key], 0);
   return `${sum('different')} of ${sum('values')} values differ from JavaScript's Number of their text.`;
 }
 
-/** The tables: medians, with minimum and maximum in brackets. */
-export function report({ reading, extraction, opening }) {
+/** The tables of what was measured: medians, with minimum and maximum in brackets. */
+export function report({ reading, extraction, opening, app, stage, folder }) {
   return [
-    readingTable(reading),
-    bitsLine(reading),
-    extractionTable(extraction),
-    openingTable(opening),
+    ...(reading ? [readingTable(reading), bitsLine(reading)] : []),
+    ...(extraction ? [extractionTable(extraction)] : []),
+    ...(opening ? [openingTable(opening)] : []),
+    ...(app ? [dropTable(app), ...app.cancel.map(cancelLine)] : []),
+    ...(stage ? [stageTable(stage)] : []),
+    ...(folder ? [folderTable(folder)] : []),
   ].join('\n\n');
 }

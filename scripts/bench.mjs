@@ -1,23 +1,40 @@
-// `npm run bench`: how fast Keypose reads and extracts, beside three.js in the same page on the same files.
-// In: `--long` for an hour of motion too, `--runs N` (default 7). Out: tables, and the same as
-// bench/results/latest.json. What is measured how: docs/benchmarks.md.
+// `npm run bench`: how fast Keypose reads, extracts, opens and draws, beside three.js in the same page on the
+// same files. In: `--short` leaves the hour of motion out, `--runs N` (default 7), `--only PART…`. Out:
+// tables, and the same as bench/results/latest.json. What is measured how: docs/benchmarks.md.
 import { writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
+import { measureCancel, measureDrop, measureLongDrop, serveApp } from '../bench/app.mjs';
 import { servePage } from '../bench/browser.mjs';
 import { benchmarkFiles } from '../bench/files.mjs';
-import { measureExtraction, measureOpening, measureReading } from '../bench/measure.mjs';
+import { measureFolder } from '../bench/folder.mjs';
+import {
+  measureExtraction,
+  measureOpening,
+  measureReading,
+  measureStage,
+} from '../bench/measure.mjs';
 import { timeNatively } from '../bench/native.mjs';
 import { report } from '../bench/report.mjs';
 import { root } from './process.mjs';
 
+const parts = ['reading', 'extraction', 'opening', 'app', 'stage', 'folder'];
 const { values: options } = parseArgs({
-  options: { long: { type: 'boolean', default: false }, runs: { type: 'string', default: '7' } },
+  options: {
+    short: { type: 'boolean', default: false },
+    runs: { type: 'string', default: '7' },
+    only: { type: 'string', multiple: true, default: parts },
+  },
 });
 const runs = Number(options.runs);
-const frames = [4_500, 45_000, ...(options.long ? [432_000] : [])];
+const frames = [4_500, 45_000, ...(options.short ? [] : [432_000])];
 const results = join(root, 'bench', 'results');
+
+/** Drops of the 3 MB file after the first, figures on the stage, clips of the folder. */
+const DROPS = 10;
+const FIGURES = [1, 20];
+const CLIPS = 1_000;
 
 /** Runs of a clip: an hour of motion is worked on three times at most. */
 const runsOf = (path) => (path.includes('432000') ? Math.min(runs, 3) : runs);
@@ -39,28 +56,49 @@ function machine() {
   };
 }
 
-async function measureAll({ sets, long }) {
-  const native = timeNatively([...new Set(sets.flatMap(({ paths }) => paths))], runs);
-  const page = await servePage();
-  const at = page.address;
+/** What each part measures, by its name. */
+function measurements({ sets, long, samples }, native, page, app) {
+  const [brief] = long;
+  const hour = options.short ? [] : long.slice(-1);
+  return {
+    reading: () => inOrder(sets, (set) => measureReading(page, set, native, runsOf(set.paths[0]))),
+    extraction: () => inOrder(long, (path) => measureExtraction(page, path, native, runsOf(path))),
+    opening: () => inOrder(long, (path) => measureOpening(page, path, runsOf(path))),
+    app: async () => ({
+      drop: await measureDrop(app, brief, DROPS),
+      long: await inOrder(hour, (path) => measureLongDrop(app, path)),
+      cancel: await inOrder(hour, (path) => measureCancel(app, path, brief)),
+    }),
+    stage: () => measureStage(page, brief, FIGURES),
+    folder: () => measureFolder(join(results, 'files', 'folder'), samples, CLIPS, 3),
+  };
+}
+
+async function measureAll(files) {
+  const all = [...new Set(files.sets.flatMap(({ paths }) => paths))];
+  const isTimed = ['reading', 'extraction'].some((part) => options.only.includes(part));
+  const native = isTimed ? timeNatively(all, runs) : new Map();
+  const [page, app] = [await servePage(), await serveApp()];
+  const measured = {};
   try {
-    return {
-      reading: await inOrder(sets, (set) => measureReading(at, set, native, runsOf(set.paths[0]))),
-      extraction: await inOrder(long, (path) => measureExtraction(at, path, native, runsOf(path))),
-      opening: await inOrder(long, (path) => measureOpening(at, path, runsOf(path))),
-    };
+    const by = measurements(files, native, page.address, app.address);
+    for (const part of parts.filter((one) => options.only.includes(one))) {
+      console.log(`measuring: ${part}`);
+      measured[part] = await by[part]();
+    }
   } finally {
     await page.close();
+    await app.close();
   }
+  return measured;
 }
 
 console.log('writing the files');
 const files = benchmarkFiles(join(results, 'files'), frames);
-console.log('measuring');
 const measured = { machine: machine(), runs, ...(await measureAll(files)) };
 writeFileSync(join(results, 'latest.json'), `${JSON.stringify(measured, null, 2)}\n`);
 console.log(`\n${report(measured)}\n`);
 console.log(
-  `${measured.machine.processors} × ${measured.machine.model}, load ${measured.machine.load.toFixed(1)}, ` +
-    `Chromium ${measured.opening[0]?.chromium}; medians of up to ${runs} runs (minimum–maximum)`,
+  `${measured.machine.processors} × ${measured.machine.model}, load ${measured.machine.load.toFixed(1)} ` +
+    `to ${loadavg()[0].toFixed(1)}; medians of up to ${runs} runs (minimum–maximum)`,
 );

@@ -5,6 +5,7 @@ import { type Extracted, extract } from './extraction';
 import { bytesOf } from './files';
 import { type Opened, open } from './opening';
 import { poseAll, readByKeypose, readByThree } from './readers';
+import { type StageFrames, drawFrames } from './stage';
 import { timeInTurn } from './timing';
 
 const loading = loadCore();
@@ -57,9 +58,9 @@ async function extraction(name: string, runs: number): Promise<Extracted[]> {
   return found;
 }
 
-export type { BitsFound, Extracted, Opened };
+export type { BitsFound, Extracted, Opened, StageFrames };
 
-const bench = { read, bits, extraction, open };
+const bench = { read, bits, extraction, open, drawFrames };
 
 declare global {
   interface Window {

@@ -238,7 +238,9 @@ describe('pool', () => {
     const pool = new Pool(spawn, 1);
     const abort = new AbortController();
     const large = task({ clip: 7, signal: abort.signal });
-    const cancelled = expect(pool.enqueue(large.made)).rejects.toMatchObject({ name: 'AbortError' });
+    const cancelled = expect(pool.enqueue(large.made)).rejects.toMatchObject({
+      name: 'AbortError',
+    });
     abort.abort();
     await cancelled;
     pool.retire(0, 7, 200);
