@@ -3,6 +3,8 @@ import { computed } from '@preact/signals-core';
 import type { Context } from '../app/context';
 import { keep } from '../common/keep';
 import { follow } from '../common/mount';
+import type { Store } from '../app/store';
+import type { ScaleRange } from '../timeline/scale-axis';
 import { Timeline, type TimelineEvents, type TimelineProps } from '../timeline/timeline';
 import { rememberFolds } from './folds';
 import { followPlayhead } from './follow-playhead';
@@ -11,11 +13,19 @@ import { timelineText } from './study-text';
 export function mountTimeline(place: HTMLElement, context: Context): void {
   const { store, language } = context;
   const text = computed(() => timelineText(language.words.value));
+  const range = computed(() => scaleRange(store));
   const events = timelineEvents(context);
   const show = keep<TimelineProps>((props) => new Timeline(place, props, events));
   rememberFolds(context.store, context.preferences, window.innerHeight);
   followPlayhead(store);
-  follow(() => show(timelineProps(context, text.value)));
+  follow(() => show(timelineProps(context, text.value, range.value)));
+}
+
+/** The range of the parameters as they are set. */
+function scaleRange({ defaults, options }: Store): ScaleRange | null {
+  if (defaults.value === null) return null;
+  const { scaleMaxHz, scaleMinHz } = { ...defaults.value, ...options.value };
+  return { finestHz: scaleMaxHz, coarsestHz: scaleMinHz };
 }
 
 function timelineEvents({ store, playback }: Context): TimelineEvents {
@@ -40,6 +50,7 @@ function timelineEvents({ store, playback }: Context): TimelineEvents {
 function timelineProps(
   { store, language, theme }: Context,
   text: TimelineProps['text'],
+  scaleRange: ScaleRange | null,
 ): TimelineProps | null {
   const clip = store.openClip.value;
   const performer = store.openPerformer.value;
@@ -50,6 +61,7 @@ function timelineProps(
     frameTimeS: clip.result.frameTimeS,
     leadingRestFrames: performer.leadingRestFrames,
     keyposes: performer.keyposes,
+    scaleRange,
     reason: performer.unanalysed ? language.words.value.failure(performer.unanalysed) : '',
     outdated: clip.outdated,
     currentKeypose: store.currentKeypose.value,

@@ -9,7 +9,6 @@ import { sceneOf, type Scene } from './scene';
 import { drawSpeedRow } from './speed-row';
 import { testResult, type Size } from './test-result';
 import { TimelineData } from './timeline-data';
-import { scaleHeights } from './trace-outline';
 
 const colours = Object.fromEntries(
   ['ink', 'text3', 'panel', 'raised', 'line1', 'line2', 'kp', 'kpLine'].map((name) => [name, name]),
@@ -36,7 +35,7 @@ function dataOf(size: Size): TimelineData {
 
 function sceneFor(data: TimelineData, first: number, last: number): Scene {
   const axis = new Axis(1000, data.result.speed.length - 1, { first, last });
-  return sceneOf(axis, layoutRows(new Set(), true), data, colours);
+  return sceneOf(axis, layoutRows(new Set(), true), data, colours, null);
 }
 
 const hour: Size = { frames: 432_000, candidates: 30_000, keyposes: 5000 };
@@ -74,7 +73,7 @@ describe('drawing the rows', () => {
     for (const draw of [drawScaleRow, drawSpeedRow, drawIntensityRow]) draw(context, scene);
     const still = { ...testResult(clip), maximumSpeed: 0, cut: null };
     const data = new TimelineData({ ...still, scalesHz: new Float64Array() });
-    const empty = sceneOf(new Axis(1000, 721), layoutRows(new Set(), true), data, colours);
+    const empty = sceneOf(new Axis(1000, 721), layoutRows(new Set(), true), data, colours, null);
     for (const draw of [drawSpeedRow, drawIntensityRow]) draw(context, empty);
   });
 });
@@ -86,7 +85,7 @@ describe('candidateAt', () => {
   const frame = data.result.candidates[keypose];
 
   it('finds the candidate of a trace, far from its own frame', () => {
-    const heights = scaleHeights(rows.scales, data.result.scalesHz);
+    const heights = scene.scaleHeights;
     expect(candidateAt(scene, axis.x(frame + 0.4 * 15), heights[15])).toBe(frame);
     expect(candidateAt(scene, axis.x(frame) + 25, heights[15])).toBeNull();
   });

@@ -16,6 +16,8 @@ export interface GestureEvents {
 /** What the gestures must know of the timeline, at the moment they happen. */
 export interface GestureGround {
   axis(): Axis;
+  /** The moment at a pixel of what lies under the pointer: the rows, or the overview of the whole clip. */
+  frameAt(x: number, target: EventTarget | null): number;
   isRuler(y: number): boolean;
   /** The moment of what lies under the pointer; null where it is the axis alone. */
   momentAt(x: number, y: number, target: EventTarget | null): number | null;
@@ -106,7 +108,7 @@ export class Gestures {
   private hover(event: PointerEvent, { x, y }: Place): void {
     const moment = this.ground.momentAt(x, y, event.target);
     this.area.classList.toggle('pointing', moment !== null);
-    this.events.onHover(moment ?? this.ground.axis().frameAt(x));
+    this.events.onHover(moment ?? this.ground.frameAt(x, event.target));
   }
 
   /** Both fingers keep the frames that they touch. */
@@ -132,7 +134,7 @@ export class Gestures {
     if (event.ctrlKey || event.metaKey) {
       event.preventDefault();
       const factor = Math.exp(-event.deltaY * unit * ZOOM_PER_PIXEL);
-      const about = axis.frameAt(this.placeOf(event).x);
+      const about = this.ground.frameAt(this.placeOf(event).x, event.target);
       this.events.onZoom(zoomed(axis.span, axis.lastFrame, factor, about));
       return;
     }

@@ -3,7 +3,7 @@ import { intensityRadius, intensityY } from './intensity-dots';
 import { rowAt } from './rows';
 import { MOST_CANDIDATE_TRACES } from './scale-row';
 import type { Scene } from './scene';
-import { scaleHeights, TraceOutline } from './trace-outline';
+import { TraceOutline } from './trace-outline';
 
 /** How far beside a trace or a dot the pointer may be, in pixels. */
 const REACH = 5;
@@ -37,11 +37,11 @@ function dotDistance({ axis, rows, data }: Scene, index: number, x: number, y: n
 
 /** Distance to the nearest point of a trace that is drawn. */
 function traceDistance(scene: Scene, index: number, x: number, y: number): number {
-  const { axis, rows, data, candidates } = scene;
+  const { axis, data, candidates, scaleHeights } = scene;
   const shown =
     data.keyposeOf[index] >= 0 || candidates.to - candidates.from <= MOST_CANDIDATE_TRACES;
   if (!shown) return Infinity;
-  outline.set(data, index, axis, scaleHeights(rows.scales, data.result.scalesHz), 1);
+  outline.set(data, index, axis, scaleHeights, 1);
   let least = Infinity;
   for (let point = 0; point < outline.length; point++) {
     const away = Math.hypot(x - outline.x[point], y - outline.y[point]) - outline.half[point];

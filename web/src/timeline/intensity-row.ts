@@ -5,7 +5,7 @@ import type { Run } from './sorted';
 
 /** From so many candidates in view on, they are specks. */
 const CROWD = 600;
-/** Side of the square that stands for dots in a crowd, in pixels. */
+/** Side of the smallest square that stands for dots in a crowd, in pixels. */
 const SPECK = 2;
 
 export function drawIntensityRow(context: CanvasRenderingContext2D, scene: Scene): void {
@@ -130,7 +130,7 @@ function addDots(
   }
 }
 
-/** In a crowd: one small square for all dots that would lie over each other. */
+/** In a crowd: one square for all dots that would lie over each other, the larger the more intense. */
 function fillSpecks(
   context: CanvasRenderingContext2D,
   { axis, rows, data }: Scene,
@@ -147,7 +147,9 @@ function fillSpecks(
     if (candidate < 0) continue;
     const x = Math.floor(axis.x(frames[candidate]) / SPECK);
     const y = Math.floor(intensityY(row, intensities[candidate], data.largestIntensity) / SPECK);
-    if (grid.take(x, y - Math.floor(row.top / SPECK)))
-      context.fillRect(x * SPECK, y * SPECK, SPECK, SPECK);
+    if (!grid.take(x, y - Math.floor(row.top / SPECK))) continue;
+    const radius = intensityRadius(row, intensities[candidate], data.largestIntensity);
+    const side = Math.max(SPECK, radius);
+    context.fillRect(x * SPECK, y * SPECK - (side - SPECK) / 2, side, side);
   }
 }

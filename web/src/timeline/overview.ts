@@ -82,6 +82,15 @@ export class Overview {
     this.window.setAttribute('aria-valuetext', shown);
   }
 
+  /** Whether an element is a part of the overview. */
+  holds(target: EventTarget | null): boolean {
+    return target instanceof Node && this.element.contains(target);
+  }
+
+  frameAt(x: number): number {
+    return this.axis.frameAt(x);
+  }
+
   movePlayhead(frame: number): void {
     this.playhead.style.transform = `translateX(${this.axis.x(frame)}px)`;
   }

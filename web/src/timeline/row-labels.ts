@@ -5,7 +5,7 @@ import { intensityY } from './intensity-dots';
 import { foldableRows, type RowLayout } from './rows';
 import type { TimelineData } from './timeline-data';
 import type { TimelineText } from './timeline-text';
-import { scaleY } from './trace-outline';
+import { scaleRangeOf, scaleY, type ScaleRange } from './scale-axis';
 
 /** The frequency labelled between the ends of the scales, where it has room. */
 const MIDDLE_HZ = 1;
@@ -36,7 +36,12 @@ export class RowLabels {
     );
   }
 
-  update(rows: RowLayout, data: TimelineData | null, text: TimelineText): void {
+  update(
+    rows: RowLayout,
+    data: TimelineData | null,
+    wanted: ScaleRange | null,
+    text: TimelineText,
+  ): void {
     for (const row of foldableRows) {
       const { style } = this.summaries[row];
       style.top = `${rows[row].top}px`;
@@ -46,20 +51,24 @@ export class RowLabels {
     for (const node of [this.maximum, this.finest, this.middle, this.coarsest, this.cut])
       node.hidden = true;
     if (data === null) return;
-    this.speak(data, text);
+    const range = scaleRangeOf(data.result.scalesHz, wanted);
+    this.speak(data, range, text);
     this.labelSpeed(rows, data, text);
-    this.labelScales(rows, data, text);
+    this.labelScales(rows, range, text);
     this.labelCut(rows, data, text);
   }
 
-  private speak({ result, frames }: TimelineData, text: TimelineText): void {
-    const { scalesHz, candidates } = result;
-    const [finest, coarsest] = [scalesHz[0] ?? 0, scalesHz[scalesHz.length - 1] ?? 0];
+  private speak(
+    { result, frames }: TimelineData,
+    { finestHz, coarsestHz }: ScaleRange,
+    text: TimelineText,
+  ): void {
+    const { candidates } = result;
     const { speed, scales, intensity } = this.summaries;
     speed.setAttribute('aria-label', text.speedSummary(result.maximumSpeed));
     scales.setAttribute(
       'aria-label',
-      text.scalesSummary(finest, coarsest, frames.length, candidates.length),
+      text.scalesSummary(finestHz, coarsestHz, frames.length, candidates.length),
     );
     intensity.setAttribute(
       'aria-label',
@@ -72,15 +81,13 @@ export class RowLabels {
       show(this.maximum, text.figure(result.maximumSpeed), rows.speed.top + 2);
   }
 
-  private labelScales(rows: RowLayout, { result }: TimelineData, text: TimelineText): void {
+  private labelScales(rows: RowLayout, range: ScaleRange, text: TimelineText): void {
     const row = rows.scales;
-    const { scalesHz } = result;
-    if (row.folded || scalesHz.length === 0) return;
-    const [finest, coarsest] = [scalesHz[0], scalesHz[scalesHz.length - 1]];
+    if (row.folded) return;
     const [top, bottom] = [row.top + 2, row.top + row.height - LABEL_HEIGHT - 2];
-    show(this.finest, text.short(finest), top);
-    show(this.coarsest, text.hertz(coarsest), bottom);
-    const middle = scaleY(row, MIDDLE_HZ, scalesHz) - LABEL_HEIGHT / 2;
+    show(this.finest, text.short(range.finestHz), top);
+    show(this.coarsest, text.hertz(range.coarsestHz), bottom);
+    const middle = scaleY(row, MIDDLE_HZ, range) - LABEL_HEIGHT / 2;
     const hasRoom = middle >= top + LABEL_HEIGHT && middle <= bottom - LABEL_HEIGHT + 2;
     if (hasRoom) show(this.middle, text.short(MIDDLE_HZ), middle);
   }

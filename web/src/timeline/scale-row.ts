@@ -1,7 +1,8 @@
 /** Draws the row of time scales: the traces of candidates and keyposes, as ribbons. */
 import { isSparse, type Scene } from './scene';
 import type { Run } from './sorted';
-import { scaleHeights, scaleY, TraceOutline } from './trace-outline';
+import { scaleY } from './scale-axis';
+import { TraceOutline } from './trace-outline';
 
 /** Candidates that are not keyposes show their traces while so many at most are in view. */
 export const MOST_CANDIDATE_TRACES = 300;
@@ -16,15 +17,14 @@ const outline = new TraceOutline();
 export function drawScaleRow(context: CanvasRenderingContext2D, scene: Scene): void {
   const { rows, data, palette, keyposes, candidates } = scene;
   if (!rows.scales.folded) drawGuides(context, scene);
-  const heights = scaleHeights(rows.scales, data.result.scalesHz);
   const shown = candidates.to - candidates.from;
   if (shown <= MOST_CANDIDATE_TRACES) {
     const others = candidatesOf(candidates, (candidate) => data.keyposeOf[candidate] < 0);
-    fillRibbons(context, scene, others, heights, palette.text3, OTHER_ALPHA);
+    fillRibbons(context, scene, others, palette.text3, OTHER_ALPHA);
   }
-  if (!isSparse(scene)) return fillLines(context, scene, heights);
+  if (!isSparse(scene)) return fillLines(context, scene);
   const kept = candidatesOf(keyposes, () => true).map((index) => data.result.keyposes[index]);
-  fillRibbons(context, scene, kept, heights, palette.kp, KEYPOSE_ALPHA);
+  fillRibbons(context, scene, kept, palette.kp, KEYPOSE_ALPHA);
 }
 
 /** The trace of one keypose in full colour, above the others. */
@@ -33,10 +33,9 @@ export function drawCurrentTrace(
   scene: Scene,
   keypose: number,
 ): void {
-  const { rows, data, palette } = scene;
-  const heights = scaleHeights(rows.scales, data.result.scalesHz);
+  const { data, palette } = scene;
   const candidate = data.result.keyposes[keypose];
-  fillRibbons(context, scene, [candidate], heights, palette.kp, 1);
+  fillRibbons(context, scene, [candidate], palette.kp, 1);
 }
 
 function candidatesOf(run: Run, keep: (index: number) => boolean): number[] {
@@ -45,13 +44,14 @@ function candidatesOf(run: Run, keep: (index: number) => boolean): number[] {
   return indices;
 }
 
-function drawGuides(context: CanvasRenderingContext2D, { axis, rows, data, palette }: Scene): void {
-  const { scalesHz } = data.result;
-  const [finest, coarsest] = [scalesHz[0] ?? 0, scalesHz[scalesHz.length - 1] ?? 0];
+function drawGuides(
+  context: CanvasRenderingContext2D,
+  { axis, rows, palette, scaleRange }: Scene,
+): void {
   context.beginPath();
   for (const hz of GUIDES_HZ) {
-    if (hz >= finest || hz <= coarsest) continue;
-    const y = Math.round(scaleY(rows.scales, hz, scalesHz)) + 0.5;
+    if (hz >= scaleRange.finestHz || hz <= scaleRange.coarsestHz) continue;
+    const y = Math.round(scaleY(rows.scales, hz, scaleRange)) + 0.5;
     context.moveTo(0, y);
     context.lineTo(axis.width, y);
   }
@@ -65,16 +65,15 @@ function drawGuides(context: CanvasRenderingContext2D, { axis, rows, data, palet
 /** One path for all: where ribbons lie over each other they are no darker. */
 function fillRibbons(
   context: CanvasRenderingContext2D,
-  { axis, data }: Scene,
+  { axis, data, scaleHeights }: Scene,
   candidates: readonly number[],
-  heights: Float64Array,
   colour: string,
   alpha: number,
 ): void {
   const step = decimation(data.result.traceOffsets, candidates);
   context.beginPath();
   for (const candidate of candidates) {
-    outline.set(data, candidate, axis, heights, step);
+    outline.set(data, candidate, axis, scaleHeights, step);
     outline.addTo(context);
   }
   context.globalAlpha = alpha;
@@ -92,8 +91,7 @@ function decimation(offsets: Int32Array, candidates: readonly number[]): number 
 /** One upright line a pixel, as long as the longest trace that stands there. */
 function fillLines(
   context: CanvasRenderingContext2D,
-  { axis, data, keyposes, palette }: Scene,
-  heights: Float64Array,
+  { axis, data, keyposes, palette, scaleHeights: heights }: Scene,
 ): void {
   const deepest = new Float64Array(Math.ceil(axis.width) + 1);
   const { traceOffsets, traceScales, keyposes: candidateOf } = data.result;

@@ -2,6 +2,7 @@
 import type { Axis } from './axis';
 import type { Palette } from './palette';
 import type { RowLayout } from './rows';
+import { scaleRangeOf, scaleY, type ScaleRange } from './scale-axis';
 import { within, type Run } from './sorted';
 import type { TimelineData } from './timeline-data';
 
@@ -13,22 +14,35 @@ export interface Scene {
   readonly rows: RowLayout;
   readonly data: TimelineData;
   readonly palette: Palette;
+  readonly scaleRange: ScaleRange;
+  /** Heights of all scales, by their index. */
+  readonly scaleHeights: Float64Array;
   /** The keyposes and the candidates in view. */
   readonly keyposes: Run;
   readonly candidates: Run;
 }
 
-export function sceneOf(axis: Axis, rows: RowLayout, data: TimelineData, palette: Palette): Scene {
+/** @param wanted the range of scales to show; null: that of the result */
+export function sceneOf(
+  axis: Axis,
+  rows: RowLayout,
+  data: TimelineData,
+  palette: Palette,
+  wanted: ScaleRange | null,
+): Scene {
   const first = axis.placeAt(-OVERHANG);
   const last = axis.placeAt(axis.width + OVERHANG);
-  const keyposes = within(data.frames, first, last);
+  const { scalesHz, candidates } = data.result;
+  const scaleRange = scaleRangeOf(scalesHz, wanted);
   return {
     axis,
     rows,
     data,
     palette,
-    keyposes,
-    candidates: within(data.result.candidates, first, last),
+    scaleRange,
+    scaleHeights: scalesHz.map((hz) => scaleY(rows.scales, hz, scaleRange)),
+    keyposes: within(data.frames, first, last),
+    candidates: within(candidates, first, last),
   };
 }
 

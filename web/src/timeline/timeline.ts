@@ -20,6 +20,7 @@ import { layoutRows, rowAt, type RowLayout } from './rows';
 import { RowsCanvas } from './rows-canvas';
 import { Ruler } from './ruler';
 import { divisionOf, rulerTicks } from './ruler-layout';
+import type { ScaleRange } from './scale-axis';
 import { sceneOf, type Scene } from './scene';
 import { TimelineData } from './timeline-data';
 import type { TimelineText } from './timeline-text';
@@ -30,6 +31,8 @@ export interface TimelineProps {
   readonly frameTimeS: number;
   readonly leadingRestFrames: number;
   readonly keyposes: KeyposeResult | null;
+  /** The scales to show; null while the parameters are not known. */
+  readonly scaleRange: ScaleRange | null;
   /** Why there are no keyposes, in a sentence. */
   readonly reason: string;
   /** A newer result is on its way. */
@@ -59,7 +62,16 @@ export interface TimelineEvents {
 }
 
 /** Properties upon which everything is laid out anew; upon those of `SPAN` the rows are drawn anew. */
-const STILL = ['frames', 'frameTimeS', 'keyposes', 'theme', 'text', 'folded', 'reason'] as const;
+const STILL = [
+  'frames',
+  'frameTimeS',
+  'keyposes',
+  'theme',
+  'text',
+  'folded',
+  'reason',
+  'scaleRange',
+] as const;
 const SPAN = ['span', 'leadingRestFrames'] as const;
 /** Frames from which on a result is made ready in slices, and the longest slice. */
 const LONG = 20_000;
@@ -156,20 +168,20 @@ export class Timeline {
     this.reason.textContent = reason;
     this.reason.hidden = keyposes !== null;
     this.gutter.update(this.rows, text, keyposes !== null);
-    this.labels.update(this.rows, this.data, text);
+    this.labels.update(this.rows, this.data, this.props.scaleRange, text);
     this.overview.draw(this.width, frames - 1, this.rows.overview, this.data, this.palette);
     this.show();
   }
 
   /** Draws the span that is shown. */
   private show(): void {
-    const { frames, frameTimeS, span, text } = this.props;
+    const { frames, frameTimeS, span, scaleRange, text } = this.props;
     this.axis = new Axis(this.width, Math.max(0, frames - 1), span);
     const { axis, rows, data } = this;
     const palette = this.palette!;
     const division = divisionOf(axis, frameTimeS);
     const ticks = axis.width > 0 ? rulerTicks(axis, frameTimeS, division) : [];
-    this.scene = data === null ? null : sceneOf(axis, rows, data, palette);
+    this.scene = data === null ? null : sceneOf(axis, rows, data, palette, scaleRange);
     this.canvases.draw(axis, rows, palette, ticks, this.scene);
     this.ruler.update(axis, frameTimeS, ticks, division, text);
     const keyposeFrames = data?.frames ?? new Int32Array();
@@ -276,6 +288,8 @@ export class Timeline {
   private get ground(): GestureGround {
     return {
       axis: () => this.axis,
+      frameAt: (x, target) =>
+        this.overview.holds(target) ? this.overview.frameAt(x) : this.axis.frameAt(x),
       isRuler: (y) => rowAt(this.rows, y) === 'ruler',
       momentAt: (x, y, target) =>
         this.pins.frameOf(target) ?? (this.scene && candidateAt(this.scene, x, y)),
@@ -296,7 +310,9 @@ export class Timeline {
     });
     const clearLoop = (event: KeyboardEvent): void => this.clearLoop(event);
     document.addEventListener('keydown', clearLoop);
-    const observer = new ResizeObserver(() => this.layout());
+    const observer = new ResizeObserver(() => {
+      if (this.width !== this.axis.width) this.layout();
+    });
     observer.observe(this.area);
     this.stops.push(
       () => document.removeEventListener('keydown', clearLoop),

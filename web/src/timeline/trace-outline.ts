@@ -1,27 +1,9 @@
 /** The trace of a candidate over the time scales as a ribbon in pixels: pure geometry. */
 import type { Axis } from './axis';
-import type { Row } from './rows';
 import type { TimelineData } from './timeline-data';
 
-/** Air above the finest and below the coarsest scale. */
-const AIR = 6;
-const FOLDED_AIR = 4;
 const THINNEST = 0.45;
 const THICKEST = 3.6;
-
-/** Height of a frequency between the finest (top) and the coarsest scale, logarithmic. */
-export function scaleY(row: Row, hz: number, scalesHz: ArrayLike<number>): number {
-  const finest = Math.log(scalesHz[0] ?? 1);
-  const coarsest = Math.log(scalesHz[scalesHz.length - 1] ?? 1);
-  const part = coarsest === finest ? 0 : (Math.log(hz) - finest) / (coarsest - finest);
-  const air = row.folded ? FOLDED_AIR : AIR;
-  return row.top + air + part * (row.height - 2 * air);
-}
-
-/** Heights of all scales, by their index. */
-export function scaleHeights(row: Row, scalesHz: Float64Array): Float64Array {
-  return scalesHz.map((hz) => scaleY(row, hz, scalesHz));
-}
 
 /** Half the width of a ribbon where the trace's strength is u. */
 export function halfWidth(strength: number, largest: number): number {
