@@ -92,6 +92,8 @@ export class LoopBand {
     const moved = withEnd(loop, end, frame, axis.lastFrame);
     if (moved === null) return;
     if (moved[end] === loop[end]) this.tabs[end === 'a' ? 'b' : 'a'].focus();
+    // Keys may come faster than the page draws: they go on from here.
+    this.state = { ...this.state, loop: moved };
     this.events.onLoop(moved);
   }
 

@@ -15,7 +15,7 @@ import type { Row } from './rows';
 import { curveOf } from './speed-curve';
 import type { TimelineData } from './timeline-data';
 import type { TimelineText } from './timeline-text';
-import { panned } from './zoom';
+import { panned, wholeSpan } from './zoom';
 
 export interface OverviewEvents {
   /** Another part is to be shown; null: all of it. */
@@ -45,7 +45,7 @@ export class Overview {
     this.element.append(this.canvas, this.playhead, this.window);
     this.element.addEventListener('pointerdown', (event) => this.grab(event));
     this.element.addEventListener('pointermove', (event) => this.pointAt(event));
-    this.element.addEventListener('dblclick', () => this.events.onZoom(null));
+    this.element.addEventListener('dblclick', () => this.zoom(null));
     this.window.addEventListener('keydown', (event) => this.press(event));
   }
 
@@ -95,6 +95,12 @@ export class Overview {
     this.playhead.style.transform = `translateX(${this.axis.x(frame)}px)`;
   }
 
+  /** Keys may come faster than the page draws: they go on from here. */
+  private zoom(span: AxisSpan | null): void {
+    this.span = span ?? wholeSpan(this.axis.lastFrame);
+    this.events.onZoom(span);
+  }
+
   private get isWhole(): boolean {
     return this.span.last - this.span.first >= this.axis.lastFrame;
   }
@@ -123,7 +129,7 @@ export class Overview {
     const drag = (move: PointerEvent): void => {
       const x = this.xOf(move);
       dragged ||= Math.abs(x - from) >= DRAG_START;
-      if (dragged) this.events.onZoom(brushed(part, span, this.axis, from, x));
+      if (dragged) this.zoom(brushed(part, span, this.axis, from, x));
     };
     const drop = (): void => {
       this.element.removeEventListener('pointermove', drag);
@@ -137,7 +143,7 @@ export class Overview {
   /** A press beside the window brings the window there. */
   private centre(x: number): void {
     const middle = (this.span.first + this.span.last) / 2;
-    this.events.onZoom(panned(this.span, this.axis.lastFrame, this.axis.placeAt(x) - middle));
+    this.zoom(panned(this.span, this.axis.lastFrame, this.axis.placeAt(x) - middle));
   }
 
   private press(event: KeyboardEvent): void {
@@ -146,7 +152,7 @@ export class Overview {
     if (span === undefined) return;
     event.preventDefault();
     event.stopPropagation();
-    this.events.onZoom(span);
+    this.zoom(span);
   }
 }
 

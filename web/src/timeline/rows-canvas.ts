@@ -7,7 +7,7 @@ import { drawCurrentDot, drawIntensityRow } from './intensity-row';
 import { drawRulerTicks } from './ruler';
 import type { Tick } from './ruler-layout';
 import { drawCurrentTrace, drawScaleRow } from './scale-row';
-import { isSparse, type Scene } from './scene';
+import { standingApart, type Scene } from './scene';
 import { drawSpeedDot, drawSpeedRow } from './speed-row';
 import type { Axis } from './axis';
 import type { Palette } from './palette';
@@ -68,11 +68,8 @@ export class RowsCanvas {
 }
 
 function drawStems(context: CanvasRenderingContext2D, scene: Scene): void {
-  if (!isSparse(scene)) return;
-  const { axis, data, keyposes, palette } = scene;
-  const places = Array.from(data.frames.subarray(keyposes.from, keyposes.to), (frame) =>
-    axis.x(frame),
-  );
+  const { axis, data, palette } = scene;
+  const places = standingApart(scene).map((keypose) => axis.x(data.frames[keypose]));
   strokeStems(context, scene, places, palette.kpLine, 1);
 }
 

@@ -46,10 +46,20 @@ export function sceneOf(
   };
 }
 
-/** Keyposes closer than this on average would make one wash of their stems and traces, in pixels. */
-const LEAST_DISTANCE = 5;
+/** Keyposes closer than this on average would make one wash of their traces, in pixels. */
+const LEAST_MEAN_DISTANCE = 5;
+/** A keypose nearer to the next than this has no stem. */
+const LEAST_DISTANCE = 8;
 
-/** Whether each keypose in view can have a stem, a ribbon and a round dot of its own. */
+/** Whether the keyposes in view can have ribbons and round dots. */
 export function isSparse({ axis, keyposes }: Scene): boolean {
-  return (keyposes.to - keyposes.from) * LEAST_DISTANCE <= axis.width;
+  return (keyposes.to - keyposes.from) * LEAST_MEAN_DISTANCE <= axis.width;
+}
+
+/** The keyposes in view that stand apart from their neighbours: those with a stem and a dot on the curve. */
+export function standingApart({ axis, data, keyposes }: Scene): number[] {
+  const apart: number[] = [];
+  for (let keypose = keyposes.from; keypose < keyposes.to; keypose++)
+    if (data.gaps[keypose] * axis.scale >= LEAST_DISTANCE) apart.push(keypose);
+  return apart;
 }

@@ -1,7 +1,7 @@
 /** Draws the row of motion speed: area, trend, curve and the keyposes upon it. */
 import type { Row } from './rows';
 import type { Scene } from './scene';
-import { isSparse } from './scene';
+import { standingApart } from './scene';
 import { type Curve, curveOf } from './speed-curve';
 
 const HEADROOM = 1.04;
@@ -23,7 +23,7 @@ export function drawSpeedRow(context: CanvasRenderingContext2D, scene: Scene): v
   fillArea(context, curve, y, palette.ink);
   if (!rows.speed.folded) strokeTrend(context, trend, y, palette.text3);
   drawCurve(context, curve, y, palette.ink);
-  if (isSparse(scene) && !rows.speed.folded) drawDots(context, scene, y);
+  if (!rows.speed.folded) drawDots(context, scene, y);
 }
 
 /** The keypose's disc on the curve, with a rim of the page. */
@@ -49,11 +49,12 @@ const DOT_RADIUS = 2.8;
 
 function drawDots(
   context: CanvasRenderingContext2D,
-  { axis, data, palette, keyposes }: Scene,
+  scene: Scene,
   y: (speed: number) => number,
 ): void {
+  const { axis, data, palette } = scene;
   context.beginPath();
-  for (let keypose = keyposes.from; keypose < keyposes.to; keypose++) {
+  for (const keypose of standingApart(scene)) {
     const frame = data.frames[keypose];
     const x = axis.x(frame);
     const at = y(data.speedAt(frame) ?? 0);

@@ -10,6 +10,8 @@ export class TimelineData {
   readonly frames: Int32Array;
   /** Of each candidate, the index of its keypose; -1 for the others. */
   readonly keyposeOf: Int32Array;
+  /** Frames to the nearer neighbour of each keypose. */
+  readonly gaps: Float64Array;
   readonly largestIntensity: number;
   /** The largest u of any trace. */
   readonly largestStrength: number;
@@ -22,6 +24,7 @@ export class TimelineData {
     result.keyposes.forEach((candidate, keypose) => {
       this.keyposeOf[candidate] = keypose;
     });
+    this.gaps = gapsOf(this.frames);
     this.largestIntensity = largest(result.intensities);
     this.largestStrength = largest(result.traceIntensities);
     this.speed = new Extremes(result.speed);
@@ -50,4 +53,10 @@ function largest(values: Float64Array): number {
   let most = 0;
   for (const value of values) if (value > most) most = value;
   return most;
+}
+
+function gapsOf(frames: Int32Array): Float64Array {
+  return Float64Array.from(frames, (frame, index) =>
+    Math.min(frame - (frames[index - 1] ?? -Infinity), (frames[index + 1] ?? Infinity) - frame),
+  );
 }
