@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 use motion::keypose::{Options, SelectionRule};
+use motion::report::Table;
 
 /// Keyposes of motion capture files (BVH).
 ///
@@ -50,11 +51,17 @@ pub struct Keyposes {
     #[arg(required = true, value_name = "FILE|DIR")]
     pub paths: Vec<PathBuf>,
     /// One JSON object a line for each file and performer (docs/formats.md).
-    #[arg(long, conflicts_with = "csv")]
+    #[arg(long, group = "form")]
     pub json: bool,
-    /// One line a keypose: file, performer, number, frame, time_s, intensity.
-    #[arg(long)]
+    /// A table with one line a keypose (docs/formats.md).
+    #[arg(long, group = "form")]
     pub csv: bool,
+    /// List every candidate instead of the keyposes.
+    #[arg(long, requires = "form", conflicts_with_all = ["traces", "marks"])]
+    pub candidates: bool,
+    /// List every candidate's way through the time scales instead of the keyposes.
+    #[arg(long, requires = "form", conflicts_with = "marks")]
+    pub traces: bool,
     /// True keyposes to compare with: a JSON file, or a folder of them, matched by `file`.
     #[arg(long, value_name = "FILE|DIR")]
     pub marks: Option<PathBuf>,
@@ -92,6 +99,13 @@ pub struct Overrides {
     /// The up axis: +X, -X, +Y, -Y, +Z or -Z.
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub up: Option<String>,
+    /// The unit of length: m, dm, cmu, inch, cm or mm.
+    #[arg(long, value_name = "UNIT")]
+    pub unit: Option<String>,
+    /// A joint of the file that stands for a part of the body, e.g. left_wrist=LeftHand; can be
+    /// given more than once.
+    #[arg(long = "joint", value_name = "ROLE=JOINT")]
+    pub joints: Vec<String>,
 }
 
 /// The method's parameters; each default is the method's own.
@@ -121,6 +135,17 @@ pub struct Method {
     /// Standard deviations above the mean merge height at which merging ends.
     #[arg(long, value_name = "K", default_value_t = Options::default().mojena_k)]
     pub mojena_k: f64,
+}
+
+impl Keyposes {
+    /// What is listed.
+    pub fn table(&self) -> Table {
+        match (self.candidates, self.traces) {
+            (true, _) => Table::Candidates,
+            (_, true) => Table::Traces,
+            _ => Table::Keyposes,
+        }
+    }
 }
 
 impl Method {

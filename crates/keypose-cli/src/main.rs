@@ -17,17 +17,16 @@ use std::process::ExitCode;
 use anyhow::Result;
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
-use motion::analysis::Decisions;
 use motion::keypose::Options;
 use motion::keypose::evaluation::Span;
-use motion::report;
+use motion::report::{self, csv};
 
 use crate::arguments::{Arguments, Command, Inspect, Keyposes};
 use crate::inspect::Inspection;
 use crate::judge::{Means, judge};
 use crate::keyposes_text::KeyposesText;
 use crate::marks::Marks;
-use crate::study::Study;
+use crate::study::{Study, Wishes};
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
@@ -50,7 +49,7 @@ fn main() -> ExitCode {
 fn run_inspect(inspect: &Inspect, threads: usize) -> Result<bool> {
     let work = Work {
         paths: &inspect.paths,
-        decisions: study::decisions(&inspect.overrides)?,
+        wishes: Wishes::new(&inspect.overrides)?,
         options: Options::default(),
         threads,
     };
@@ -67,24 +66,20 @@ fn run_keyposes(keyposes: &Keyposes, threads: usize) -> Result<bool> {
     } else {
         Span::Clip
     };
-    let decisions = study::decisions(&keyposes.overrides)?;
     let work = Work {
         paths: &keyposes.paths,
-        decisions,
+        wishes: Wishes::new(&keyposes.overrides)?,
         options,
         threads,
     };
     let mut means = Means::default();
-    let mut head = if keyposes.csv {
-        report::csv::HEADER
-    } else {
-        ""
-    };
+    let table = keyposes.table();
+    let mut head = if keyposes.csv { csv::header(table) } else { "" };
     let show = |study: &Study| {
         let evaluations = judge(study, marks.as_ref(), span);
         let text = match (keyposes.json, keyposes.csv) {
-            (true, _) => report::json_lines(&study.subject(), &evaluations),
-            (_, true) => report::csv::rows(&study.subject()),
+            (true, _) => report::json_lines(&study.subject(), table, &evaluations),
+            (_, true) => csv::rows(&study.subject(), table),
             _ => KeyposesText {
                 study,
                 evaluations: &evaluations,
@@ -107,7 +102,7 @@ fn run_keyposes(keyposes: &Keyposes, threads: usize) -> Result<bool> {
 /// What is done to all files of a call.
 struct Work<'a> {
     paths: &'a [PathBuf],
-    decisions: Decisions,
+    wishes: Wishes,
     options: Options,
     threads: usize,
 }
@@ -124,7 +119,7 @@ impl Work<'_> {
         let progress = progress_bar(files.len());
         let mut out = BufWriter::new(io::stdout());
         let mut all_good = true;
-        let study = |file: &_| Study::of(file, &self.decisions, &self.options).map(|s| show(&s));
+        let study = |file: &_| Study::of(file, &self.wishes, &self.options).map(|s| show(&s));
         in_order::for_each(&files, self.threads, study, |result| {
             progress.inc(1);
             match result {

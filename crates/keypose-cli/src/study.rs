@@ -4,13 +4,14 @@ use std::fmt::Write as _;
 use std::fs::File;
 use std::io::Read;
 
-use anyhow::{Context, Result, anyhow};
-use motion::analysis::{self, Analysis, Decisions};
+use anyhow::{Context, Result, anyhow, bail};
+use motion::analysis::{self, Analysis, Decisions, JointDecision};
+use motion::body::Role;
 use motion::bvh::{ParseError, Reader};
 use motion::clip::Clip;
 use motion::keypose::Options;
 use motion::report::Subject;
-use motion::world::Up;
+use motion::world::{Unit, Up};
 use sha2::{Digest, Sha256};
 
 use crate::arguments::Overrides;
@@ -36,9 +37,11 @@ impl Study {
     ///
     /// # Errors
     /// One line that names the file, and the line and column where it cannot be read.
-    pub fn of(file: &InputFile, decisions: &Decisions, options: &Options) -> Result<Self> {
+    pub fn of(file: &InputFile, wishes: &Wishes, options: &Options) -> Result<Self> {
         let (clip, sha256) = read(file)?;
-        let analysis = analysis::analyse(&clip, decisions, options)?;
+        let name = || file.path.display().to_string();
+        let decisions = wishes.decisions(&clip).with_context(name)?;
+        let analysis = analysis::analyse(&clip, &decisions, options)?;
         Ok(Self {
             label: file.label.clone(),
             sha256,
@@ -59,24 +62,84 @@ impl Study {
 }
 
 /// What the command line decides about every file.
-///
-/// # Errors
-/// An option with a value that it cannot have.
-pub fn decisions(overrides: &Overrides) -> Result<Decisions> {
-    let up = overrides.up.as_deref().map(up_from_name).transpose()?;
-    let decisions = Decisions {
-        frame_rate_hz: overrides.frame_rate_hz,
-        leading_rest_frames: overrides.leading_rest_frames,
-        up,
-        unit: None,
-    };
-    decisions.validate()?;
-    Ok(decisions)
+#[derive(Clone, Debug)]
+pub struct Wishes {
+    decisions: Decisions,
+    /// Parts of the body with the labels of joints.
+    joints: Vec<(Role, String)>,
+}
+
+impl Wishes {
+    /// The wishes of the options given.
+    ///
+    /// # Errors
+    /// An option with a value that it cannot have.
+    pub fn new(overrides: &Overrides) -> Result<Self> {
+        let decisions = Decisions {
+            frame_rate_hz: overrides.frame_rate_hz,
+            leading_rest_frames: overrides.leading_rest_frames,
+            up: overrides.up.as_deref().map(up_from_name).transpose()?,
+            unit: overrides.unit.as_deref().map(unit_from_name).transpose()?,
+            joints: Vec::new(),
+        };
+        decisions.validate()?;
+        let joints = overrides.joints.iter().map(|wish| joint_wish(wish));
+        Ok(Self {
+            decisions,
+            joints: joints.collect::<Result<_>>()?,
+        })
+    }
+
+    /// The decisions about one clip: a joint is decided for every performer who has it.
+    fn decisions(&self, clip: &Clip) -> Result<Decisions> {
+        let mut decisions = self.decisions.clone();
+        for (role, label) in &self.joints {
+            let before = decisions.joints.len();
+            for (performer, owner) in clip.performers.iter().enumerate() {
+                let found = owner.skeleton.labels().iter().position(|one| one == label);
+                decisions.joints.extend(found.map(|joint| JointDecision {
+                    performer,
+                    role: *role,
+                    joint,
+                }));
+            }
+            if decisions.joints.len() == before {
+                bail!("--joint: there is no joint {label}");
+            }
+        }
+        Ok(decisions)
+    }
+}
+
+fn joint_wish(wish: &str) -> Result<(Role, String)> {
+    let (role, label) = wish
+        .split_once('=')
+        .with_context(|| format!("--joint is {wish}; expected ROLE=JOINT"))?;
+    let known = Role::from_name(role).with_context(|| {
+        let roles: Vec<&str> = Role::ALL.iter().map(|role| role.name()).collect();
+        format!(
+            "--joint: {role} is no part of the body; expected one of {}",
+            roles.join(", ")
+        )
+    })?;
+    Ok((known, label.to_owned()))
 }
 
 fn up_from_name(name: &str) -> Result<Up> {
     Up::from_name(name)
         .with_context(|| format!("--up is {name}; expected +X, -X, +Y, -Y, +Z or -Z"))
+}
+
+fn unit_from_name(name: &str) -> Result<Unit> {
+    match name {
+        "m" => Ok(Unit::Metre),
+        "dm" => Ok(Unit::Decimetre),
+        "cmu" => Ok(Unit::Cmu),
+        "inch" => Ok(Unit::Inch),
+        "cm" => Ok(Unit::Centimetre),
+        "mm" => Ok(Unit::Millimetre),
+        _ => bail!("--unit is {name}; expected m, dm, cmu, inch, cm or mm"),
+    }
 }
 
 fn read(file: &InputFile) -> Result<(Clip, String)> {

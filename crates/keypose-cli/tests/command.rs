@@ -72,8 +72,75 @@ fn a_bad_file_is_one_line_and_the_others_are_done() {
     assert_eq!(error.lines().count(), 1, "{error}");
     assert!(error.contains("a.bvh:4:12: "), "{error}");
     let table = text(&output.stdout);
-    assert!(table.starts_with("file,performer,number,frame,time_s,intensity\r\n"));
+    assert!(table.starts_with("file,performer,number,frame,time_s,intensity,rank,"));
     assert!(table.lines().count() > 5);
+}
+
+#[test]
+fn candidates_and_traces_are_tables_of_their_own() {
+    let folder = folder("tables");
+    let path = folder.to_str().unwrap();
+    keypose(&["samples", path, "walk-hik-30", "walk-poser-30"]);
+    for (option, start) in [
+        (
+            "--candidates",
+            "file,performer,number,frame,time_s,intensity,",
+        ),
+        (
+            "--traces",
+            "file,performer,candidate,scale_hz,frame,place,u",
+        ),
+    ] {
+        let table = text(&keypose(&["keyposes", path, "--csv", option]).stdout);
+        assert!(table.starts_with(start), "{option}");
+        assert_eq!(
+            table.matches("file,").count(),
+            1,
+            "one header for all files"
+        );
+        let lines = text(&keypose(&["keyposes", path, "--json", option]).stdout);
+        assert_eq!(lines.lines().count(), 2, "{option}");
+        let refused = keypose(&["keyposes", path, option]);
+        assert_eq!(refused.status.code(), Some(2), "{option} needs a form");
+    }
+}
+
+#[test]
+fn a_joint_can_be_decided() {
+    let folder = folder("joint");
+    let path = folder.to_str().unwrap();
+    keypose(&["samples", path, "walk-poser-30"]);
+    let wrist = |arguments: &[&str]| {
+        let output = keypose(&[&["keyposes", path, "--json"], arguments].concat());
+        let line: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let joints = line["body"]["joints"].as_array().unwrap().clone();
+        let wrist = joints.into_iter().find(|one| one["role"] == "left_wrist");
+        (wrist.unwrap(), line["keyposes"].clone())
+    };
+    let (found, keyposes) = wrist(&[]);
+    assert_eq!(
+        (&found["joint"], &found["source"]),
+        (&"lHand".into(), &"name".into())
+    );
+    let (decided, others) = wrist(&["--joint", "left_wrist=lForeArm"]);
+    assert_eq!(
+        (&decided["joint"], &decided["source"]),
+        (&"lForeArm".into(), &"user".into())
+    );
+    assert_ne!(keyposes, others);
+    for (wish, message) in [
+        ("left_wrist", "--joint is left_wrist; expected ROLE=JOINT"),
+        ("tail=lHand", "--joint: tail is no part of the body"),
+        ("left_wrist=paw", "--joint: there is no joint paw"),
+    ] {
+        let output = keypose(&["keyposes", path, "--json", "--joint", wish]);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(
+            text(&output.stderr).contains(message),
+            "{}",
+            text(&output.stderr)
+        );
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use motion::analysis::{Analyser, Analysis, KeyposeAnalysis};
 use motion::bvh::Reader;
 use motion::clip::Clip;
-use motion::report::{self, Subject};
+use motion::report::{self, Subject, Table, csv};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -98,7 +98,7 @@ impl ClipHandle {
         Ok(summary::summary(clip, analysis).text())
     }
 
-    /// Keyposes as text: `kind` is `keyposes-csv` or `keyposes-json`.
+    /// Results as text: `kind` is `keyposes`, `candidates` or `traces`, with `-csv` or `-json`.
     pub fn report(&self, kind: &str, file: &str, sha256: &str) -> Result<String, JsError> {
         let (clip, analysis) = self.results()?;
         let subject = Subject {
@@ -107,9 +107,16 @@ impl ClipHandle {
             clip,
             analysis,
         };
-        match kind {
-            "keyposes-json" => Ok(report::json_lines(&subject, &[])),
-            "keyposes-csv" => Ok(report::csv::HEADER.to_owned() + &report::csv::rows(&subject)),
+        let (name, form) = kind.rsplit_once('-').unwrap_or_default();
+        let table = match name {
+            "keyposes" => Table::Keyposes,
+            "candidates" => Table::Candidates,
+            "traces" => Table::Traces,
+            _ => return Err(failure::misuse(&format!("report: unknown kind {kind}"))),
+        };
+        match form {
+            "json" => Ok(report::json_lines(&subject, table, &[])),
+            "csv" => Ok(csv::header(table).to_owned() + &csv::rows(&subject, table)),
             _ => Err(failure::misuse(&format!("report: unknown kind {kind}"))),
         }
     }

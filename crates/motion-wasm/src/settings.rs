@@ -1,7 +1,8 @@
 //! Decisions and options: plain objects of JavaScript go in, the core's types come out. An unknown
 //! name is an error; what is absent is as found, or the default.
 
-use motion::analysis::{Decisions, SettingsError};
+use motion::analysis::{Decisions, JointDecision, SettingsError};
+use motion::body::Role;
 use motion::keypose::{Options, SelectionRule};
 use motion::report::json::Json;
 use motion::world::{Unit, Up};
@@ -23,6 +24,17 @@ extern "C" {
     fn up(this: &JsDecisions) -> Option<String>;
     #[wasm_bindgen(method, getter, structural)]
     fn unit(this: &JsDecisions) -> Option<String>;
+    #[wasm_bindgen(method, getter, structural)]
+    fn joints(this: &JsDecisions) -> Option<Vec<JsJoint>>;
+
+    /// `JointDecision` of TypeScript.
+    type JsJoint;
+    #[wasm_bindgen(method, getter, structural)]
+    fn performer(this: &JsJoint) -> f64;
+    #[wasm_bindgen(method, getter, structural)]
+    fn role(this: &JsJoint) -> String;
+    #[wasm_bindgen(method, getter, structural)]
+    fn joint(this: &JsJoint) -> f64;
 
     /// `MethodOptions` of TypeScript.
     #[wasm_bindgen(typescript_type = "MethodOptions")]
@@ -43,17 +55,12 @@ extern "C" {
 #[wasm_bindgen(js_name = methodDefaults)]
 pub fn method_defaults() -> String {
     let default = Options::default();
-    let rule = match default.selection {
-        SelectionRule::Automatic => "automatic",
-        SelectionRule::Literal => "literal",
-        SelectionRule::EvenSplit => "even-split",
-    };
     Json::object([
         ("lowPassHz", Json::Number(default.low_pass_hz)),
         ("scaleMaxHz", Json::Number(default.scale_max_hz)),
         ("scaleMinHz", Json::Number(default.scale_min_hz)),
         ("scaleRatio", Json::Number(default.scale_ratio)),
-        ("selection", Json::Text(rule.to_owned())),
+        ("selection", default.selection.name().into()),
     ])
     .text()
 }
@@ -62,10 +69,27 @@ pub fn method_defaults() -> String {
 pub fn decisions(from: &JsDecisions) -> Result<Decisions, SettingsError> {
     Ok(Decisions {
         frame_rate_hz: from.frame_rate_hz(),
-        leading_rest_frames: from.leading_rest_frames().map(whole).transpose()?,
+        leading_rest_frames: leading_rest_frames(from)?,
         up: from.up().map(up).transpose()?,
         unit: from.unit().map(unit).transpose()?,
+        joints: joints(from.joints().unwrap_or_default())?,
     })
+}
+
+fn joints(from: Vec<JsJoint>) -> Result<Vec<JointDecision>, SettingsError> {
+    let one = |one: JsJoint| {
+        let role = one.role();
+        Ok(JointDecision {
+            performer: whole("joints", one.performer())?,
+            role: Role::from_name(&role).ok_or(SettingsError {
+                field: "joints",
+                found: role,
+                expected: "a part of the body, as left_wrist",
+            })?,
+            joint: whole("joints", one.joint())?,
+        })
+    };
+    from.into_iter().map(one).collect()
 }
 
 /// The core's options.
@@ -81,11 +105,18 @@ pub fn options(from: &JsOptions) -> Result<Options, SettingsError> {
     })
 }
 
-fn whole(frames: f64) -> Result<usize, SettingsError> {
-    let is_whole = frames >= 0.0 && frames <= f64::from(u32::MAX) && frames.fract() == 0.0;
-    is_whole.then_some(frames as usize).ok_or(SettingsError {
-        field: "leading_rest_frames",
-        found: frames.to_string(),
+fn leading_rest_frames(from: &JsDecisions) -> Result<Option<usize>, SettingsError> {
+    let frames = from.leading_rest_frames();
+    frames
+        .map(|frames| whole("leading_rest_frames", frames))
+        .transpose()
+}
+
+fn whole(field: &'static str, number: f64) -> Result<usize, SettingsError> {
+    let is_whole = number >= 0.0 && number <= f64::from(u32::MAX) && number.fract() == 0.0;
+    is_whole.then_some(number as usize).ok_or(SettingsError {
+        field,
+        found: number.to_string(),
         expected: "a whole number from 0",
     })
 }
@@ -120,14 +151,12 @@ pub fn unit_name(unit: Unit) -> &'static str {
 }
 
 fn selection(name: String) -> Result<SelectionRule, SettingsError> {
-    match name.as_str() {
-        "automatic" => Ok(SelectionRule::Automatic),
-        "literal" => Ok(SelectionRule::Literal),
-        "even-split" => Ok(SelectionRule::EvenSplit),
-        _ => Err(SettingsError {
-            field: "selection",
-            found: name,
-            expected: "automatic, literal or even-split",
-        }),
-    }
+    let found = SelectionRule::ALL
+        .into_iter()
+        .find(|rule| rule.name() == name);
+    found.ok_or(SettingsError {
+        field: "selection",
+        found: name,
+        expected: "automatic, literal or even-split",
+    })
 }

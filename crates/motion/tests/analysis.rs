@@ -3,7 +3,8 @@
 
 mod support;
 
-use motion::analysis::{Analyser, Analysis, Decisions, analyse};
+use motion::analysis::{Analyser, Analysis, Decisions, JointDecision, analyse};
+use motion::body::{self, Role};
 use motion::bvh;
 use motion::clip::Clip;
 use motion::keypose::{Options, SelectionRule};
@@ -74,6 +75,13 @@ fn all_settings() -> Vec<(&'static str, Decisions, Options)> {
         decide("rest", |one| one.leading_rest_frames = Some(7)),
         decide("up", |one| one.up = Up::from_name("+Z")),
         decide("unit", |one| one.unit = Some(Unit::Inch)),
+        decide("joints", |one| {
+            one.joints = vec![JointDecision {
+                performer: 0,
+                role: Role::LeftToe,
+                joint: 3,
+            }];
+        }),
         choose("low pass", |one| one.low_pass_hz = 6.0),
         choose("trend", |one| one.trend_hz = 1.0),
         choose("finest scale", |one| one.scale_max_hz = 6.0),
@@ -190,6 +198,85 @@ fn settings_that_cannot_be_are_refused() {
 
 const STICK: &str = "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\n\
     End Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION\nFrames: 2\nFrame Time: 0.01\n0 0 0\n1 0 0\n";
+
+#[test]
+fn a_joint_that_the_clip_does_not_have_is_refused() {
+    let clip = bvh::parse(STICK.as_bytes()).unwrap();
+    for (performer, joint) in [(0, 2), (1, 0)] {
+        let decisions = Decisions {
+            joints: vec![JointDecision {
+                performer,
+                role: Role::Head,
+                joint,
+            }],
+            ..Decisions::default()
+        };
+        let error = analyse(&clip, &decisions, &Options::default()).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            format!(
+                "joints is head = joint {joint} of performer {performer}; expected a joint of the clip"
+            )
+        );
+    }
+}
+
+#[test]
+fn a_joint_decided_by_a_person_changes_the_result_and_can_be_taken_back() {
+    let Some(clip) = cmu("07_01") else { return };
+    let (found, options) = (Decisions::default(), Options::default());
+    let first = analyse(&clip, &found, &options).unwrap();
+    let body = &first.performers[0].body;
+    let elbow = body.joint(Role::LeftElbow).unwrap();
+    let decided = Decisions {
+        joints: vec![JointDecision {
+            performer: 0,
+            role: Role::LeftWrist,
+            joint: elbow,
+        }],
+        ..found.clone()
+    };
+    let mut analyser = Analyser::new();
+    analyser.begin(&clip, &found, &options).unwrap();
+    assert_eq!(finished(&mut analyser, &clip), first);
+    analyser.begin(&clip, &decided, &options).unwrap();
+    let changed = finished(&mut analyser, &clip);
+    assert_eq!(changed, analyse(&clip, &decided, &options).unwrap());
+    let wrist = changed.performers[0].body.joints[Role::LeftWrist.index()];
+    assert_eq!((wrist.joint, wrist.source), (elbow, body::Source::User));
+    let speed = |analysis: &Analysis| {
+        let keyposes = analysis.performers[0].keyposes.as_ref().unwrap();
+        keyposes.speed.clone()
+    };
+    assert_ne!(speed(&changed), speed(&first));
+    analyser.begin(&clip, &found, &options).unwrap();
+    assert_eq!(finished(&mut analyser, &clip), first);
+}
+
+#[test]
+fn a_joint_decided_for_one_performer_leaves_the_other_as_it_was() {
+    let text = STICK.split_once("MOTION").unwrap().0;
+    let rows: String = (0..30)
+        .map(|n| format!("{n} 0 0 0 {} 0\n", n * n % 7))
+        .collect();
+    let text = format!(
+        "{text}{}MOTION\nFrames: 30\nFrame Time: 0.01\n{rows}",
+        &text[10..]
+    );
+    let clip = bvh::parse(text.as_bytes()).expect("two performers");
+    let first = analyse(&clip, &Decisions::default(), &Options::default()).unwrap();
+    let decisions = Decisions {
+        joints: vec![JointDecision {
+            performer: 1,
+            role: Role::Head,
+            joint: 1,
+        }],
+        ..Decisions::default()
+    };
+    let decided = analyse(&clip, &decisions, &Options::default()).unwrap();
+    assert_eq!(decided.performers[0], first.performers[0]);
+    assert_eq!(decided.performers[1].body.joint(Role::Head), Some(1));
+}
 
 #[test]
 fn a_motion_too_short_says_why() {

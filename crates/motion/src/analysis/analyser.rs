@@ -36,10 +36,11 @@ impl Analyser {
         options: &Options,
     ) -> Result<(), SettingsError> {
         decisions.validate()?;
+        decisions.validate_joints(clip)?;
         options.validate()?;
         let user_s = decisions.frame_rate_hz.map(|hz| 1.0 / hz);
         let next = Settings {
-            decisions: *decisions,
+            decisions: decisions.clone(),
             options: *options,
             frame_rate_hz: decisions
                 .frame_rate_hz
@@ -52,10 +53,10 @@ impl Analyser {
         });
         self.runs
             .resize_with(clip.performers.len(), PerformerRun::default);
-        if let Some(last) = self.settings.replace(next) {
-            self.runs
-                .iter_mut()
-                .for_each(|run| run.change(&last, &next));
+        if let Some(last) = self.settings.replace(next.clone()) {
+            for (performer, run) in self.runs.iter_mut().enumerate() {
+                run.change(performer, &last, &next);
+            }
         }
         self.done = 0.0;
         Ok(())
@@ -81,7 +82,9 @@ impl Analyser {
     /// The analysis, once [`Analyser::step`] has said 1; before that, of the performers done.
     pub fn analysis(&self) -> Analysis {
         let performers = self.runs.iter().map_while(PerformerRun::analysis);
+        let settings = self.settings.as_ref();
         Analysis {
+            options: settings.map_or_else(Options::default, |settings| settings.options),
             frame_time_s: self.frame_time_s,
             frame_time_source: self.frame_time_source.unwrap_or(Source::Found),
             performers: performers.cloned().collect::<Vec<PerformerAnalysis>>(),

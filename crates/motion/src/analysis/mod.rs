@@ -18,7 +18,7 @@ mod surroundings;
 mod trails;
 
 pub use analyser::Analyser;
-pub use settings::{Decisions, SettingsError, Source};
+pub use settings::{Decisions, JointDecision, SettingsError, Source};
 
 use crate::body::Body;
 use crate::clip::Clip;
@@ -32,6 +32,8 @@ use crate::world::{Unit, Up};
 /// What was found in one clip.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Analysis {
+    /// The parameters that it was made with.
+    pub options: Options,
     /// Seconds from one frame to the next, as used.
     pub frame_time_s: f64,
     /// Where the frame time is from.
@@ -96,18 +98,19 @@ pub struct KeyposeAnalysis {
 impl KeyposeAnalysis {
     /// Frames of the file of the keyposes, ascending.
     pub fn keyposes(&self) -> Vec<usize> {
-        self.rows().map(|(frame, _)| frame).collect()
+        let kept = self.extraction.selection.kept.iter();
+        kept.map(|candidate| self.frame_of(*candidate)).collect()
     }
 
-    /// Frame of the file and intensity of each keypose, in time order.
-    pub fn rows(&self) -> impl Iterator<Item = (usize, f64)> {
-        let extraction = &self.extraction;
-        extraction.selection.kept.iter().map(|&index| {
-            (
-                self.first_frame + extraction.candidates[index],
-                extraction.intensity[index],
-            )
-        })
+    /// The frame of the file of a candidate.
+    pub fn frame_of(&self, candidate: usize) -> usize {
+        self.first_frame + self.extraction.candidates[candidate]
+    }
+
+    /// The time scale, in Hz, at which a candidate is strongest; none without a trace.
+    pub fn strongest_hz(&self, candidate: usize) -> Option<f64> {
+        let scale = self.extraction.traces.strongest_scale(candidate)?;
+        self.extraction.scales_hz.get(scale).copied()
     }
 }
 

@@ -18,7 +18,7 @@ const POSED: f64 = 0.3;
 const EXTRACTED: f64 = 0.98;
 
 /// What the pieces are made with.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     pub decisions: Decisions,
     pub options: Options,
@@ -36,10 +36,14 @@ pub struct PerformerRun {
 }
 
 impl PerformerRun {
-    /// Takes away what `next` makes invalid.
-    pub fn change(&mut self, last: &Settings, next: &Settings) {
+    /// Takes away what `next` makes invalid for this performer (from 0).
+    pub fn change(&mut self, performer: usize, last: &Settings, next: &Settings) {
         if last == next {
             return;
+        }
+        let joints_of = |settings: &Settings| settings.decisions.joints_of(performer);
+        if joints_of(last) != joints_of(next) {
+            *self = Self::default();
         }
         self.analysis = None;
         self.picture_run = None;

@@ -88,7 +88,8 @@ impl PoseRun {
     /// Makes a part of the first missing piece. Returns the part done, below 1 until all are there.
     pub fn step(&mut self, clip: &Clip, performer: usize, decisions: &Decisions) -> f64 {
         let Some(body) = self.body.take() else {
-            self.body = Some(body::find(clip, performer, &[]));
+            let joints = decisions.joints_of(performer);
+            self.body = Some(body::find(clip, performer, &joints));
             return 0.0;
         };
         let done = match (&self.following, &self.followed, &self.placement) {

@@ -2,11 +2,13 @@
 
 use core::fmt;
 
+use crate::body::Role;
+use crate::clip::Clip;
 use crate::keypose::OptionsError;
 use crate::world::{Unit, Up};
 
 /// A person's decisions about one clip; none: as found.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Decisions {
     /// Frames per second instead of what the file says.
     pub frame_rate_hz: Option<f64>,
@@ -16,6 +18,19 @@ pub struct Decisions {
     pub up: Option<Up>,
     /// The unit of length.
     pub unit: Option<Unit>,
+    /// Which joints stand for which parts of the body; of two for one part the later.
+    pub joints: Vec<JointDecision>,
+}
+
+/// A person's word that a joint is a part of a performer's body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct JointDecision {
+    /// The performer, from 0.
+    pub performer: usize,
+    /// The part of the body.
+    pub role: Role,
+    /// The joint's index in the performer's skeleton.
+    pub joint: usize,
 }
 
 /// Where a value is from.
@@ -74,7 +89,36 @@ impl From<OptionsError> for SettingsError {
 }
 
 impl Decisions {
-    /// Says which decision, if any, has a value that it cannot have.
+    /// The joints decided for one performer.
+    pub fn joints_of(&self, performer: usize) -> Vec<(Role, usize)> {
+        let of_performer = self.joints.iter().filter(|one| one.performer == performer);
+        of_performer.map(|one| (one.role, one.joint)).collect()
+    }
+
+    /// Says which joint, if any, is not in the clip.
+    ///
+    /// # Errors
+    /// The first joint or performer that the clip does not have.
+    pub fn validate_joints(&self, clip: &Clip) -> Result<(), SettingsError> {
+        let is_there = |one: &&JointDecision| {
+            let performer = clip.performers.get(one.performer);
+            performer.is_some_and(|found| one.joint < found.skeleton.joints.len())
+        };
+        match self.joints.iter().find(|one| !is_there(one)) {
+            None => Ok(()),
+            Some(JointDecision {
+                performer,
+                role,
+                joint,
+            }) => Err(SettingsError {
+                field: "joints",
+                found: format!("{} = joint {joint} of performer {performer}", role.name()),
+                expected: "a joint of the clip",
+            }),
+        }
+    }
+
+    /// Says which other decision, if any, has a value that it cannot have.
     ///
     /// # Errors
     /// The frame rate, if it is not from 0.01 to 100 000.

@@ -42,10 +42,10 @@ impl BodyPart {
     /// Its name in machine-readable output.
     pub fn name(self) -> &'static str {
         match self {
-            BodyPart::LeftArm => "left-arm",
-            BodyPart::RightArm => "right-arm",
-            BodyPart::LeftLeg => "left-leg",
-            BodyPart::RightLeg => "right-leg",
+            BodyPart::LeftArm => "left_arm",
+            BodyPart::RightArm => "right_arm",
+            BodyPart::LeftLeg => "left_leg",
+            BodyPart::RightLeg => "right_leg",
             BodyPart::Head => "head",
         }
     }

@@ -58,6 +58,15 @@ impl Extraction {
         order.sort_by(|&a, &b| intensity(b).total_cmp(&intensity(a)).then(a.cmp(&b)));
         order
     }
+
+    /// The place of each candidate in [`Self::by_intensity`], from 1.
+    pub fn ranks(&self) -> Vec<usize> {
+        let mut ranks = vec![0; self.candidates.len()];
+        for (place, candidate) in self.by_intensity().into_iter().enumerate() {
+            ranks[candidate] = place + 1;
+        }
+        ranks
+    }
 }
 
 /// Extracts the keyposes of a motion from its `speed` (see [`crate::speed`]).

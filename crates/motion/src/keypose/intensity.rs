@@ -5,6 +5,8 @@
 //!
 //! Source: Miura et al., "Adaptive Keypose Extraction from Motion Capture Data", 2014, §3.2, eq. 4.
 
+use core::ops::Range;
+
 /// Through the time scales, the minimum that belongs to each candidate: flat, candidate by
 /// candidate.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,9 +22,14 @@ pub struct Traces {
 }
 
 impl Traces {
-    /// Samples and u of one candidate, from the finest scale to the last that it reaches.
+    /// The entries of one candidate, from the finest scale to the last that it reaches.
+    pub fn entries(&self, candidate: usize) -> Range<usize> {
+        self.offsets[candidate]..self.offsets[candidate + 1]
+    }
+
+    /// Samples and u of one candidate, scale by scale.
     pub fn of(&self, candidate: usize) -> (&[usize], &[f64]) {
-        let entries = self.offsets[candidate]..self.offsets[candidate + 1];
+        let entries = self.entries(candidate);
         (&self.frames[entries.clone()], &self.contributions[entries])
     }
 

@@ -17,6 +17,24 @@ pub enum SelectionRule {
     EvenSplit,
 }
 
+impl SelectionRule {
+    /// Every rule.
+    pub const ALL: [SelectionRule; 3] = [
+        SelectionRule::Automatic,
+        SelectionRule::Literal,
+        SelectionRule::EvenSplit,
+    ];
+
+    /// Its name in machine-readable output.
+    pub fn name(self) -> &'static str {
+        match self {
+            SelectionRule::Automatic => "automatic",
+            SelectionRule::Literal => "literal",
+            SelectionRule::EvenSplit => "even-split",
+        }
+    }
+}
+
 /// The parameters of [`crate::keypose::extract`] and of the speed before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {

@@ -2,48 +2,41 @@
 
 use super::Subject;
 use super::body::body;
+use super::candidates;
+use super::file::{self, Members};
 use super::json::Json;
 use crate::analysis::{KeyposeAnalysis, PerformerAnalysis};
+use crate::body::BodyPart;
+use crate::keypose::AnalysisOfVariance;
 use crate::keypose::evaluation::Evaluation;
 use crate::note::Note;
+use crate::part_change::PartChange;
 
 /// The object of one performer (from 0), as `docs/formats.md` describes it.
-pub fn json_line(subject: &Subject, performer: usize, evaluation: Option<&Evaluation>) -> Json {
-    let Some(found) = subject.analysis.performers.get(performer) else {
-        return Json::Null;
-    };
+pub fn object(
+    subject: &Subject,
+    performer: usize,
+    found: &PerformerAnalysis,
+    evaluation: Option<&Evaluation>,
+) -> Json {
     let labels = subject.clip.performers[performer].skeleton.labels();
-    let mut members = file_members(subject, performer);
+    let mut members = file::members(subject, performer);
     members.extend(motion_members(found));
     members.push(("body", body(found, &labels)));
     members.push((
         "notes",
         Json::list(subject.clip.notes.iter().chain(&found.notes).map(note)),
     ));
-    members.extend(keypose_members(subject, found));
+    members.extend(match &found.keyposes {
+        Ok(keyposes) => keypose_members(subject, keyposes),
+        Err(reason) => unanalysed_members(reason),
+    });
     members.push(("feature", found.feature.map(Json::list).into()));
+    members.extend(picture_members(found, &labels));
     if let Some(evaluation) = evaluation {
         members.push(("evaluation", evaluation_object(evaluation)));
     }
     Json::Object(members)
-}
-
-type Members = Vec<(&'static str, Json)>;
-
-fn file_members(subject: &Subject, performer: usize) -> Members {
-    let analysis = subject.analysis;
-    vec![
-        ("file", subject.file.into()),
-        ("performer", performer.into()),
-        ("sha256", subject.sha256.into()),
-        ("frames", subject.clip.frames.into()),
-        ("frame_time_s", analysis.frame_time_s.into()),
-        ("frame_rate_hz", (1.0 / analysis.frame_time_s).into()),
-        (
-            "frame_rate_source",
-            analysis.frame_time_source.name().into(),
-        ),
-    ]
 }
 
 fn motion_members(found: &PerformerAnalysis) -> Members {
@@ -57,58 +50,81 @@ fn motion_members(found: &PerformerAnalysis) -> Members {
         ("up_source", found.up.1.name().into()),
         ("ground_height", found.ground_height.into()),
         ("unit", found.unit.map(|(unit, _)| unit.name()).into()),
+        (
+            "unit_source",
+            found.unit.map(|(_, source)| source.name()).into(),
+        ),
     ]
 }
 
-fn keypose_members(subject: &Subject, found: &PerformerAnalysis) -> Members {
-    let Ok(keyposes) = &found.keyposes else {
-        let reason = found.keyposes.as_ref().err().map(note);
-        return vec![
-            ("candidates", Json::List(Vec::new())),
-            ("keyposes", Json::List(Vec::new())),
-            ("clusters", 0_usize.into()),
-            ("anova", Json::Null),
-            ("sureness", Json::Null),
-            ("unanalysed", reason.into()),
-        ];
-    };
-    let selection = &keyposes.extraction.selection;
-    let anova = selection.analysis_of_variance.as_ref();
+fn keypose_members(subject: &Subject, found: &KeyposeAnalysis) -> Members {
+    let extraction = &found.extraction;
+    let selection = &extraction.selection;
+    let maximum = found.speed.iter().copied().fold(0.0, f64::max);
     vec![
-        ("candidates", candidates(keyposes)),
-        (
-            "keyposes",
-            keypose_list(keyposes, subject.analysis.frame_time_s),
-        ),
+        ("candidates", candidates::list(subject, found)),
+        ("keyposes", keypose_list(subject, found)),
         ("clusters", selection.clusters.into()),
         (
             "anova",
-            anova
-                .map(|test| Json::object([("f", test.f.into()), ("p", test.p.into())]))
-                .into(),
+            selection.analysis_of_variance.as_ref().map(anova).into(),
         ),
-        ("sureness", keyposes.extraction.sureness.ratio.into()),
+        ("sureness", extraction.sureness.ratio.into()),
+        ("cut", extraction.sureness.cut().into()),
+        ("maximum_speed", maximum.into()),
         ("unanalysed", Json::Null),
     ]
 }
 
-fn candidates(keyposes: &KeyposeAnalysis) -> Json {
-    let extraction = &keyposes.extraction;
-    let pairs = extraction.candidates.iter().zip(&extraction.intensity);
-    Json::list(pairs.map(|(frame, intensity)| {
-        let frame = keyposes.first_frame + frame;
-        Json::object([("frame", frame.into()), ("intensity", (*intensity).into())])
+fn unanalysed_members(reason: &Note) -> Members {
+    vec![
+        ("candidates", Json::List(Vec::new())),
+        ("keyposes", Json::List(Vec::new())),
+        ("clusters", 0_usize.into()),
+        ("anova", Json::Null),
+        ("sureness", Json::Null),
+        ("cut", Json::Null),
+        ("maximum_speed", Json::Null),
+        ("unanalysed", note(reason)),
+    ]
+}
+
+/// Which frame and joints picture the motion.
+fn picture_members(found: &PerformerAnalysis, labels: &[String]) -> Members {
+    let joints = found.trail_joints.iter();
+    let labels = joints.filter_map(|joint| labels.get(*joint).map(String::as_str));
+    vec![
+        ("thumbnail_frame", found.thumbnail_frame.into()),
+        ("trail_joints", Json::list(labels)),
+    ]
+}
+
+fn keypose_list(subject: &Subject, found: &KeyposeAnalysis) -> Json {
+    let ranks = found.extraction.ranks();
+    let kept = found.extraction.selection.kept.iter().enumerate();
+    Json::list(kept.map(|(index, &candidate)| {
+        let mut members = candidates::moment(subject, found, candidate, ranks[candidate]);
+        let change = found.part_changes.get(index).map(part_percents);
+        let words = found.postures.get(index);
+        let posture = words.map(|words| Json::list(words.iter().map(|word| word.name())));
+        members.push(("body_part_percents", change.into()));
+        members.push(("posture", posture.into()));
+        Json::Object(members)
     }))
 }
 
-fn keypose_list(keyposes: &KeyposeAnalysis, frame_time_s: f64) -> Json {
-    Json::list(keyposes.rows().map(|(frame, intensity)| {
-        Json::object([
-            ("frame", frame.into()),
-            ("time_s", (frame as f64 * frame_time_s).into()),
-            ("intensity", intensity.into()),
-        ])
-    }))
+fn part_percents(change: &PartChange) -> Json {
+    let member = |part: BodyPart| (part.name(), change[part.index()].into());
+    Json::object(BodyPart::ALL.map(member))
+}
+
+fn anova(test: &AnalysisOfVariance) -> Json {
+    Json::object([
+        ("f", test.f.into()),
+        ("p", test.p.into()),
+        ("df_between", test.df_between.into()),
+        ("df_within", test.df_within.into()),
+    ])
 }
 
 fn evaluation_object(evaluation: &Evaluation) -> Json {

@@ -2,12 +2,16 @@
 //! JSON Lines or CSV come out. The fields are described in `docs/formats.md`.
 
 mod body;
+mod candidates;
 pub mod csv;
+mod file;
 pub mod json;
 mod keyposes;
+mod provenance;
+mod traces;
 
 pub use body::source_name;
-pub use keyposes::json_line;
+pub use provenance::VERSION;
 
 use crate::analysis::Analysis;
 use crate::clip::Clip;
@@ -27,13 +31,30 @@ pub struct Subject<'a> {
     pub analysis: &'a Analysis,
 }
 
+/// What a report lists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Table {
+    /// The keyposes; in JSON with everything else that was found.
+    Keyposes,
+    /// Every candidate.
+    Candidates,
+    /// Every candidate through the time scales.
+    Traces,
+}
+
 /// JSON Lines: one object for each performer, each on a line of its own. `evaluations` are
-/// those of the performers whose keyposes were held against marks, by the performer's index.
-pub fn json_lines(subject: &Subject, evaluations: &[Option<Evaluation>]) -> String {
+/// those of the performers whose keyposes were held against marks, by the performer's index; only
+/// the table of keyposes holds them.
+pub fn json_lines(subject: &Subject, table: Table, evaluations: &[Option<Evaluation>]) -> String {
     let mut text = String::new();
-    for performer in 0..subject.analysis.performers.len() {
+    for (performer, found) in subject.analysis.performers.iter().enumerate() {
         let evaluation = evaluations.get(performer).and_then(Option::as_ref);
-        text.push_str(&json_line(subject, performer, evaluation).text());
+        let line = match table {
+            Table::Keyposes => keyposes::object(subject, performer, found, evaluation),
+            Table::Candidates => candidates::object(subject, performer, found),
+            Table::Traces => traces::object(subject, performer, found),
+        };
+        text.push_str(&line.text());
         text.push('\n');
     }
     text
