@@ -14,7 +14,11 @@ export function writeSamples(folder: string): void {
 }
 
 /** The line of JSON of each motion; null, saying so, where the command has not been built. */
-export function nativeReports(motions: readonly Pick<MotionFile, 'path'>[]): string[] | null {
-  const text = runCommand(['keyposes', '--json', ...motions.map(({ path }) => path)]);
+export function nativeReports(
+  motions: readonly Pick<MotionFile, 'path'>[],
+  ...options: string[]
+): string[] | null {
+  const paths = motions.map(({ path }) => path);
+  const text = runCommand(['keyposes', '--json', ...options, ...paths]);
   return text === null ? null : text.trimEnd().split('\n').map(withoutName);
 }

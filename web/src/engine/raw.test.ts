@@ -134,3 +134,67 @@ describe('a clip in the core', () => {
     clip.free();
   });
 });
+
+describe('a joint that a person decided', () => {
+  it('changes the body and is taken back without a trace', () => {
+    const clip = analysed(read(walk));
+    const first = clip.result();
+    const elbow = first.performers[0]?.body.joints.find(({ role }) => role === 'left_elbow');
+    const joint = elbow?.joint ?? -1;
+    const decided = { joints: [{ performer: 0, role: 'left_wrist', joint }] } as const;
+    clip.beginAnalysis(decided, {});
+    while (clip.step() < 1);
+    const second = clip.result();
+    expect(second.performers[0]?.body.joints).toContainEqual({
+      role: 'left_wrist',
+      joint,
+      source: 'user',
+    });
+    expect(second.performers[0]?.keyposes?.speed).not.toEqual(first.performers[0]?.keyposes?.speed);
+    expect(analysed(clip).result()).toEqual(first);
+    clip.free();
+  });
+
+  it('must be in the clip', () => {
+    const clip = read(walk);
+    const refused = (performer: number, joint: number): unknown => {
+      try {
+        clip.beginAnalysis({ joints: [{ performer, role: 'pelvis', joint }] }, {});
+      } catch (error) {
+        return error instanceof CoreFailure ? error.failure.details : error;
+      }
+      return null;
+    };
+    const rule = 'a joint of the clip';
+    expect(refused(0, 9999)).toEqual(['joints', 'pelvis = joint 9999 of performer 0', rule]);
+    expect(refused(1, 0)).toEqual(['joints', 'pelvis = joint 0 of performer 1', rule]);
+    expect(refused(0, 0.5)).toEqual(['joints', '0.5', 'a whole number from 0']);
+    clip.free();
+  });
+});
+
+it('says why each keypose is one', () => {
+  const clip = analysed(read(walk));
+  const found = clip.result().performers[0];
+  const why = found?.keyposes;
+  if (!found || !why) throw new Error('no keyposes');
+  const count = why.candidates.length;
+  expect([...why.byIntensity].sort((a, b) => a - b)).toEqual([...Array(count).keys()]);
+  const sorted = Array.from(why.byIntensity, (index) => why.intensities[index] ?? 0);
+  expect(sorted).toEqual([...sorted].sort((a, b) => b - a));
+  expect(why.tracePlaces).toHaveLength(why.traceFrames.length);
+  expect(why.tracePlaces.every((at, k) => Math.abs(at - (why.traceFrames[k] ?? 0)) <= 0.5)).toBe(
+    true,
+  );
+  for (const [candidate, scale] of why.strongestScales.entries()) {
+    const [from, to] = [why.traceOffsets[candidate] ?? 0, why.traceOffsets[candidate + 1] ?? 0];
+    const trace = [...why.traceIntensities.subarray(from, to)];
+    expect(scale).toBe(trace.length === 0 ? -1 : trace.indexOf(Math.max(...trace)));
+  }
+  expect(why.bodyPartPercents).toHaveLength(5 * why.keyposes.length);
+  expect(why.postures).toHaveLength(why.keyposes.length);
+  expect(why.postures.flat().some((word) => word.endsWith('-leg-forward'))).toBe(true);
+  const { labels } = found.skeleton;
+  expect(Array.from(found.trailJoints, (joint) => labels[joint])).toHaveLength(2);
+  clip.free();
+});

@@ -4,8 +4,9 @@ use super::pose::{Pose, unit};
 use super::{Candidate, PosturePart, PostureState, PostureWord, best, paired};
 use crate::body::{Role, Side};
 
-/// An ankle lower than this above the ground, in body heights, belongs to a foot that stands.
-const STANDING: f64 = 0.15;
+/// An ankle or a toe lower than this above the ground, in body heights, belongs to a foot that
+/// stands, maybe on tiptoe.
+const STANDING: [f64; 2] = [0.15, 0.08];
 
 /// The words that fit the legs, with their scores: at most one for each, or one for both.
 pub fn words(pose: &Pose) -> Vec<Candidate> {
@@ -24,8 +25,8 @@ pub fn words(pose: &Pose) -> Vec<Candidate> {
 }
 
 fn is_off_the_ground(pose: &Pose, side: Side) -> bool {
-    let [_, _, ankle, _] = Role::leg(side);
-    pose.clearance(ankle) >= STANDING
+    let [_, _, ankle, toe] = Role::leg(side);
+    pose.clearance(ankle) >= STANDING[0] && pose.clearance(toe) >= STANDING[1]
 }
 
 fn leg(pose: &Pose, side: Side) -> Option<(PostureState, f64)> {
@@ -35,16 +36,16 @@ fn leg(pose: &Pose, side: Side) -> Option<(PostureState, f64)> {
         return best([(PostureState::Bent, (pose.bend(limb) + 0.35) / 0.8)]);
     }
     let reach = pose.reach(limb);
-    let drop = -reach.dot(&pose.up);
+    let steepness = -unit(reach).dot(&pose.up);
     let thigh = unit(pose.at(knee) - pose.at(hip)).dot(&pose.up);
-    let lift = (pose.clearance(ankle) - 0.18) / 0.3;
+    let lift = (pose.clearance(ankle) - 0.2) / 0.3;
     let is_in_the_air = Side::BOTH
         .into_iter()
         .all(|side| is_off_the_ground(pose, side));
-    let low = if is_in_the_air { 0.9 } else { 0.75 };
+    let steep = if is_in_the_air { 0.85 } else { 0.75 };
     match reach.norm() > 0.8 {
         true => best([
-            (PostureState::High, (low - drop) / 0.4),
+            (PostureState::High, (steep - steepness) / 0.4),
             (PostureState::Lifted, lift),
         ]),
         false => best([

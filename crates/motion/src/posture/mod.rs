@@ -71,3 +71,6 @@ fn paired(
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
