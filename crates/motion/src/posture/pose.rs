@@ -9,7 +9,7 @@ use crate::world::Up;
 /// Where a human body's joints stand at one frame, in the world and in body heights.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pose {
-    places: Vec<Vector3<f64>>,
+    pub(super) places: Vec<Vector3<f64>>,
     /// Towards the sky.
     pub up: Vector3<f64>,
     /// The height of the ground along `up`.

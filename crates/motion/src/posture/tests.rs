@@ -117,7 +117,7 @@ fn arms() {
             "both-arms-stretched",
         ),
         (
-            standing().arm(Left, [[0.0, -0.5, 1.0], [0.0, -0.4, 1.0]]),
+            standing().arm(Left, [[0.0, -0.3, 1.0], [0.0, -0.2, 1.0]]),
             "left-arm-stretched",
         ),
         (
