@@ -24,7 +24,8 @@ test('keys step, jump, end and change the speed', async ({ app, page }) => {
   await expect(app.caption).toContainText(`Keypose 3 of ${frames.length}`);
   await press('Shift+K', frames[1] ?? -1);
   await press('ArrowRight', (frames[1] ?? 0) + 1);
-  await expect(app.caption).toContainText(`Keypose 2 of ${frames.length} 0.02 s past it`);
+  await expect(app.caption).toContainText(`Keypose 2 of ${frames.length}`);
+  await expect(app.caption).toContainText('0.02 s past it');
   await press('Shift+K', frames[1] ?? -1);
 
   await press('End', last);
