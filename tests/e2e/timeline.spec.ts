@@ -279,12 +279,19 @@ function hourBvh(): string {
   ].join('\n');
 }
 
-test('a clip without keyposes says why', async ({ app, page }) => {
+test('a clip in which nothing moves says so; one without motion says that', async ({
+  app,
+  page,
+}) => {
   const still = tinyBvh(30).replace(/^[-\d.]+( [-\d.]+){5}$/gm, '0 0 0 0 0 0');
-  const [path = ''] = writeFiles(temporaryFolder(), { 'still.bvh': still });
-  await app.openWith(path);
-  await expect(page.locator('.timeline-reason')).toBeVisible();
-  await expect(page.locator('.timeline-reason')).not.toBeEmpty();
+  const skeleton = tinyBvh(0);
+  const paths = writeFiles(temporaryFolder(), { 'still.bvh': still, 'skeleton.bvh': skeleton });
+  await app.openWith(...paths);
+  const reason = page.locator('.timeline-reason');
+  await app.row('skeleton.bvh').click();
+  await expect(reason).toContainText('only the skeleton is shown');
+  await app.row('still.bvh').click();
+  await expect(reason).toContainText('Nothing moves');
   await expect(page.locator('.ruler-label:visible').first()).toBeVisible();
   await expect(overview(page)).toBeVisible();
   await expect(area(page).locator('.pin')).toHaveCount(0);

@@ -3,7 +3,9 @@ import { computed } from '@preact/signals-core';
 import type { Context } from '../app/context';
 import { keep } from '../common/keep';
 import { follow } from '../common/mount';
+import type { Words } from '../app/i18n/catalogue';
 import type { Store } from '../app/store';
+import type { PerformerResult } from '../engine/types';
 import type { ScaleRange } from '../timeline/scale-axis';
 import { Timeline, type TimelineEvents, type TimelineProps } from '../timeline/timeline';
 import { rememberFolds } from './folds';
@@ -19,6 +21,15 @@ export function mountTimeline(place: HTMLElement, context: Context): void {
   rememberFolds(context.store, context.preferences, window.innerHeight);
   followPlayhead(store);
   follow(() => show(timelineProps(context, text.value, range.value)));
+}
+
+/** A body at rest has a speed of zero, and nothing that the rows could show. */
+const moves = ({ keyposes }: PerformerResult): boolean => (keyposes?.maximumSpeed ?? 0) > 0;
+
+/** Why there are no rows to show. */
+function reasonOf(performer: PerformerResult, { t, failure }: Words): string {
+  if (performer.unanalysed) return failure(performer.unanalysed);
+  return moves(performer) ? '' : t('timeline.still');
 }
 
 /** The range of the parameters as they are set. */
@@ -60,9 +71,9 @@ function timelineProps(
     frames: clip.result.frames,
     frameTimeS: clip.result.frameTimeS,
     leadingRestFrames: performer.leadingRestFrames,
-    keyposes: performer.keyposes,
+    keyposes: moves(performer) ? performer.keyposes : null,
     scaleRange,
-    reason: performer.unanalysed ? language.words.value.failure(performer.unanalysed) : '',
+    reason: reasonOf(performer, language.words.value),
     outdated: clip.outdated,
     currentKeypose: store.currentKeypose.value,
     frame,

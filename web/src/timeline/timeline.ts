@@ -169,7 +169,7 @@ export class Timeline {
     this.reason.hidden = keyposes !== null;
     this.gutter.update(this.rows, text, keyposes !== null);
     this.labels.update(this.rows, this.data, this.props.scaleRange, text);
-    this.overview.draw(this.width, frames - 1, this.rows.overview, this.data, this.palette);
+    this.overview.draw(this.width, Math.max(0, frames - 1), this.rows.overview, this.data, this.palette);
     this.show();
   }
 

@@ -160,6 +160,7 @@ export const en = {
   'timeline.automatic': 'auto',
   'timeline.overview': 'Overview',
   'timeline.shown': '{0} to {1} of {2} seconds',
+  'timeline.still': 'Nothing moves in this clip, so it has no keyposes.',
   'timeline.speed.spoken': 'Motion speed, at most {0} body heights a second',
   'timeline.lozenge': 'Keyposes {0} to {1} of {2}: zoom in',
   'timeline.loop-start': 'A, where the loop begins',

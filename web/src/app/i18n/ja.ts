@@ -161,6 +161,7 @@ export const ja: Catalogue = {
   'timeline.automatic': '自動',
   'timeline.overview': '全体',
   'timeline.shown': '{2} 秒のうち {0} 秒から {1} 秒',
+  'timeline.still': 'このクリップには動きがないため、キーポーズはありません。',
   'timeline.speed.spoken': '動きの速さ、最大で毎秒 {0} 身長',
   'timeline.lozenge': '{2} 個中 {0} 番から {1} 番のキーポーズ：拡大',
   'timeline.loop-start': 'A：ループの始まり',
