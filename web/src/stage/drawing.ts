@@ -17,6 +17,9 @@ const FIRST_STEP_MS = 16;
 /** The empty stage is seen from anywhere. */
 const NO_YAWS = { frontYawRad: 0, sideYawRad: 0.5 };
 const LONGEST_STEP_MS = 250;
+/** Width below which the tools over the stage leave its middle no room, and their height. */
+const NARROW_PX = 560;
+const TOOLS_PX = 40;
 
 /** null where the browser has no WebGL2. */
 export function createDrawing(target: HTMLElement, props: StageProps): Drawing | null {
@@ -130,7 +133,13 @@ export class Drawing {
     this.preset = preset;
     const performer = this.props.performers[0] as StagePerformer | undefined;
     if (performer === undefined || !this.scene.ready) return;
-    const view = presetView(preset, performer, this.width / this.height, this.scene.place);
+    const view = presetView(
+      preset,
+      performer,
+      this.width / this.height,
+      this.scene.place,
+      this.headroom,
+    );
     this.rig.place(view, !this.unframed && !this.props.reducedMotion);
     this.unframed = false;
   }
@@ -300,8 +309,13 @@ export class Drawing {
     this.props.onDrawable?.(this.drawable);
   }
 
+  /** On a narrow stage the tools reach over its middle. */
+  private get headroom(): number {
+    return this.width < NARROW_PX ? Math.min(TOOLS_PX / Math.max(1, this.height), 0.2) : 0;
+  }
+
   private framing(): Framing {
-    return framing(this.width / Math.max(1, this.height), this.scene.place);
+    return framing(this.width / Math.max(1, this.height), this.scene.place, this.headroom);
   }
 
   private moveCamera(nowMs: number): void {

@@ -45,6 +45,14 @@ describe('framing', () => {
   });
 });
 
+it('headroom: the figure keeps its place below what stands over the stage', () => {
+  const { distance, targetY } = framing(2, alone, 0.1);
+  const half = distance * Math.tan((23 / 360) * Math.PI);
+  const top = targetY + half;
+  expect(top - 0.1 * 2 * half).toBeCloseTo(1.21, 9);
+  expect(targetY - half).toBeCloseTo(-0.13, 9);
+});
+
 describe('framing of ghosts', () => {
   const half = (aspect: number, ghosts: number): number =>
     framing(aspect, { ...alone, ghosts }).distance * Math.tan((23 / 360) * Math.PI);

@@ -47,28 +47,36 @@ export interface Place {
 export type Framing = Pick<View, 'distance' | 'targetX' | 'targetY' | 'targetZ'>;
 
 /** The preset's view of the figures; `aspect` is width / height of the stage. */
-export function presetView(preset: ViewPreset, yaws: Yaws, aspect: number, place: Place): View {
+export function presetView(
+  preset: ViewPreset,
+  yaws: Yaws,
+  aspect: number,
+  place: Place,
+  headroom = 0,
+): View {
   return {
     yawRad: preset === 'side' ? yaws.sideYawRad : yaws.frontYawRad,
     elevationRad: preset === 'top' ? TOP_ELEVATION_RAD : EYE_ELEVATION_RAD,
-    ...framing(aspect, place),
+    ...framing(aspect, place, headroom),
   };
 }
 
 /** Where a camera looks and how far away it stands, so that all figures are in the picture. */
-export function framing(aspect: number, place: Place): Framing {
+/** `headroom`: part of the stage's height that is kept free above, for what stands over it. */
+export function framing(aspect: number, place: Place, headroom = 0): Framing {
   const { x, z, reach, above, below, ghosts } = place;
   const shape = Math.max(aspect, 1e-3);
   const halfWidth = FRAMED_HALF_WIDTH + reach;
   const halfHeight = FRAMED_HALF_HEIGHT + (above + below) / 2;
   const alone = Math.max(halfHeight, halfWidth / shape);
   // Ghosts far away do not make the figure small.
-  const half = Math.max(alone, Math.min((GHOST_HALF_WIDTH + ghosts) / shape, alone * MOST_ROOM));
+  const free = Math.max(alone, Math.min((GHOST_HALF_WIDTH + ghosts) / shape, alone * MOST_ROOM));
+  const half = free / (1 - headroom);
   return {
     // The nearest of several figures may stand before the middle.
     distance: half / Math.tan((LENS_DEGREES * Math.PI) / 360) + reach,
     targetX: x,
-    targetY: TARGET_HEIGHT + (above - below) / 2,
+    targetY: TARGET_HEIGHT + (above - below) / 2 + half * headroom,
     targetZ: z,
   };
 }
