@@ -26,6 +26,7 @@ export async function measureReading(address, { title, paths }, native, runs) {
     keypose: speed(value.keypose),
     keyposeAndPoses: speed(value.keyposeAndPoses),
     three: speed(value.three),
+    threeIsEnded: value.threeIsEnded,
     times: ratios(value.keypose, value.three),
     native: speed(together(paths, native, 'readMs')),
     bits,

@@ -19,9 +19,9 @@ function readingTable(reading) {
     megabytes(one.bytes),
     told(one.keypose),
     told(one.keyposeAndPoses),
-    told(one.three),
-    digits(one.times.ofMedians),
-    digits(one.times.ofQuickest),
+    (one.threeIsEnded ? '< ' : '') + told(one.three),
+    (one.threeIsEnded ? '≥ ' : '') + digits(one.times.ofMedians),
+    (one.threeIsEnded ? '≥ ' : '') + digits(one.times.ofQuickest),
     told(one.native),
   ]);
   return table(header, rows);
