@@ -18,11 +18,38 @@ export interface Report {
     readonly joints: readonly { role: string; joint: string; source: string }[];
   };
   readonly notes: readonly { line: number | null; frame: number | null; message: string }[];
-  readonly candidates: readonly { frame: number; intensity: number }[];
-  readonly keyposes: readonly { frame: number; time_s: number; intensity: number }[];
+  readonly candidates: readonly CandidateReport[];
+  readonly keyposes: readonly KeyposeReport[];
   readonly clusters: number;
-  readonly anova: { readonly f: number; readonly p: number } | null;
+  readonly anova: AnovaReport | null;
   readonly sureness: number | null;
+  readonly cut: number | null;
+  readonly maximum_speed: number;
+}
+
+export interface AnovaReport {
+  readonly f: number;
+  readonly p: number;
+  readonly df_between: number;
+  readonly df_within: number;
+}
+
+export interface CandidateReport {
+  readonly frame: number;
+  readonly time_s: number;
+  readonly intensity: number;
+  readonly rank: number;
+  readonly strongest_hz: number | null;
+}
+
+export interface KeyposeReport extends CandidateReport {
+  readonly body_part_percents: Readonly<Record<string, number | null>> | null;
+}
+
+/** The ways of the candidates through the time scales. */
+export interface TraceReport {
+  readonly scales_hz: readonly number[];
+  readonly traces: readonly { candidate: number; u: readonly number[] }[];
 }
 
 function printed(path: string, ...options: string[]): string {
@@ -37,6 +64,10 @@ export function exportOf(path: string, form: 'csv' | 'json', ...options: string[
 /** The first performer's report. */
 export function reportOf(path: string, ...options: string[]): Report {
   return JSON.parse(exportOf(path, 'json', ...options).split('\n')[0] ?? '') as Report;
+}
+
+export function tracesOf(path: string): TraceReport {
+  return JSON.parse(printed(path, '--json', '--traces').split('\n')[0] ?? '') as TraceReport;
 }
 
 export const keyposeFramesOf = ({ keyposes }: Report): number[] =>
