@@ -123,7 +123,7 @@ const quickly = { intervals: [10, 20, 50, 100] };
 async function expectKeyposes(app: AppPage, path: string, report: Report): Promise<void> {
   const traces = tracesOf(path);
   await app.tab('Method');
-  await expect.poll(() => shownClip(app.page)).toEqual(expectedClip(report, traces));
+  await expect.poll(() => shownClip(app.page)).toEqual(expectedClip(report));
   await app.page.keyboard.press('Home');
   for (const index of report.keyposes.keys()) {
     if (index > 0 || report.keyposes[0]?.frame !== 0) await app.page.keyboard.press('k');

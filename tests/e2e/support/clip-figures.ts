@@ -2,7 +2,7 @@
 // line. Out: the texts shown, and those to be expected.
 import type { Page } from '@playwright/test';
 import { decimal, figure, short } from './english';
-import type { Report, TraceReport } from './reports';
+import type { Report } from './reports';
 
 export interface ClipFigures {
   readonly row: string;
@@ -33,7 +33,8 @@ export function shownClip(page: Page): Promise<ClipFigures> {
   });
 }
 
-export function expectedClip(report: Report, { scales_hz: scales }: TraceReport): ClipFigures {
+export function expectedClip(report: Report): ClipFigures {
+  const { scale_max_hz: finest, scale_min_hz: coarsest } = report.parameters;
   const { keyposes, candidates, cut, maximum_speed: maximum, frame_rate_hz: rate } = report;
   const last = report.frames - 1;
   const lengthS = last * report.frame_time_s;
@@ -47,7 +48,7 @@ export function expectedClip(report: Report, { scales_hz: scales }: TraceReport)
     maximum: figure(maximum),
     summaries: [
       `Motion speed, at most ${decimal(maximum, 1)} body heights a second`,
-      `Time scales from ${short(scales[0] ?? 0, 2)} to ${short(scales.at(-1) ?? 0, 2)} hertz: traces of ${keyposes.length} keyposes among ${candidates.length} candidates`,
+      `Time scales from ${short(finest, 2)} to ${short(coarsest, 2)} hertz: traces of ${keyposes.length} keyposes among ${candidates.length} candidates`,
       `Intensity: ${keyposes.length} of ${candidates.length} candidates lie above the cut at ${above}`,
     ],
   };

@@ -4,6 +4,7 @@ import { runCommand } from '../../support/command';
 
 /** The members that the page shows. */
 export interface Report {
+  readonly parameters: { readonly scale_max_hz: number; readonly scale_min_hz: number };
   readonly frames: number;
   readonly frame_time_s: number;
   readonly frame_rate_hz: number;
