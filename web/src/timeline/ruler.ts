@@ -46,7 +46,7 @@ export class Ruler {
     });
   }
 
-  /** Hides the labels that the playhead's flag or a tab of the loop at one of these pixels would cover. */
+  /** Hides the labels that a time flag or a tab of the loop at one of these pixels would cover. */
   makeRoom(places: readonly number[]): void {
     for (const { x, node } of this.labels) {
       const covered = places.some(

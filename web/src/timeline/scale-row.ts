@@ -8,6 +8,7 @@ import { TraceOutline } from './trace-outline';
 export const MOST_CANDIDATE_TRACES = 300;
 /** Points of ribbons in one drawing; where more are in view, every nth is taken. */
 const MOST_POINTS = 4000;
+const FOLDED_THICKNESS = 0.5;
 const KEYPOSE_ALPHA = 0.82;
 const OTHER_ALPHA = 0.38;
 const GUIDES_HZ = [16, 8, 4, 2, 1, 0.5, 0.25];
@@ -65,12 +66,13 @@ function drawGuides(
 /** One path for all: where ribbons lie over each other they are no darker. */
 function fillRibbons(
   context: CanvasRenderingContext2D,
-  { axis, data, scaleHeights }: Scene,
+  { axis, data, rows, scaleHeights }: Scene,
   candidates: readonly number[],
   colour: string,
   alpha: number,
 ): void {
   const step = decimation(data.result.traceOffsets, candidates);
+  outline.thickness = rows.scales.folded ? FOLDED_THICKNESS : 1;
   context.beginPath();
   for (const candidate of candidates) {
     outline.set(data, candidate, axis, scaleHeights, step);

@@ -169,7 +169,13 @@ export class Timeline {
     this.reason.hidden = keyposes !== null;
     this.gutter.update(this.rows, text, keyposes !== null);
     this.labels.update(this.rows, this.data, this.props.scaleRange, text);
-    this.overview.draw(this.width, Math.max(0, frames - 1), this.rows.overview, this.data, this.palette);
+    this.overview.draw(
+      this.width,
+      Math.max(0, frames - 1),
+      this.rows.overview,
+      this.data,
+      this.palette,
+    );
     this.show();
   }
 
@@ -214,7 +220,7 @@ export class Timeline {
     if (changed('currentKeypose')) this.markCurrent();
     if (changed('loop') || changed('looping'))
       this.loop.update(this.axis, this.rows, loop, looping, frameTimeS, text);
-    if (changed('frame') || changed('loop')) this.makeRoom();
+    if (changed('frame') || changed('loop') || changed('hoverFrame')) this.makeRoom();
     this.writeFigures();
   }
 
@@ -225,8 +231,8 @@ export class Timeline {
   }
 
   private makeRoom(): void {
-    const { frame, loop } = this.props;
-    const frames = loop === null ? [frame] : [frame, loop.a, loop.b];
+    const { frame, hoverFrame, loop } = this.props;
+    const frames = [frame, hoverFrame ?? frame, loop?.a ?? frame, loop?.b ?? frame];
     this.ruler.makeRoom(frames.map((place) => this.axis.x(place)));
   }
 

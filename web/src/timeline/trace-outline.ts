@@ -16,6 +16,8 @@ export class TraceOutline {
   x = new Float64Array(128);
   y = new Float64Array(128);
   half = new Float64Array(128);
+  /** 1, or less where the row is folded. */
+  thickness = 1;
 
   /** Takes every `step`th point of a candidate's trace, and its ends. */
   set(
@@ -32,7 +34,8 @@ export class TraceOutline {
     for (let point = traceOffsets[candidate]; point < end;) {
       this.x[this.length] = axis.x(tracePlaces[point]);
       this.y[this.length] = heights[traceScales[point]];
-      this.half[this.length] = halfWidth(traceIntensities[point], data.largestStrength);
+      this.half[this.length] =
+        this.thickness * halfWidth(traceIntensities[point], data.largestStrength);
       this.length++;
       point = point < end - 1 ? Math.min(end - 1, point + step) : end;
     }
