@@ -14,6 +14,7 @@ import type {
 import { flatFigure } from '../figure/flat-figure';
 import type { Clip } from './clips';
 import { failureOf, isAbort } from './failure';
+import { inheritedJoints } from './joint-choices';
 import { patchClip, type Store } from './store';
 
 export const settleMs = 150;
@@ -58,8 +59,11 @@ class ClipAnalysis implements Analysis {
       patchClip(this.store, id, { status: stage, progress: done });
     try {
       const work = { signal, onProgress };
-      this.accept(id, await this.engine.open(id, clip.source, clip.decisions, begunWith, work));
-      if (options.peek() !== begunWith) this.decide(id, clip.decisions);
+      const result = await this.engine.open(id, clip.source, clip.decisions, begunWith, work);
+      const joints = inheritedJoints(this.store.clips.peek(), result);
+      const taken = joints && !clip.decisions.joints ? { ...clip.decisions, joints } : null;
+      this.accept(id, result);
+      if (taken || options.peek() !== begunWith) this.decide(id, taken ?? clip.decisions);
     } catch (error) {
       if (isAbort(error)) throw error;
       patchClip(this.store, id, { status: 'failed', failure: failureOf(error) });

@@ -5,7 +5,7 @@ import { icon } from '../common/icons';
 import type { BodyJoint, PerformerResult, Role } from '../engine/types';
 import { bodyFigure, plainFigure } from './body-figure';
 import { unitRow, upAxisRow, type ClipSettingsProps } from './clip-settings';
-import type { JointCopies, JointRole } from './joint-choices';
+import type { JointCopies, JointRole } from '../app/joint-choices';
 import { jointFieldId, jointTable } from './joint-table';
 import { fact, section } from './section';
 

@@ -6,7 +6,7 @@ import { drawn } from '../common/directives';
 import { icon } from '../common/icons';
 import type { BodyJoint, PerformerResult, Role, Skeleton } from '../engine/types';
 import { glyph, sideOf } from './body-figure';
-import type { JointRole } from './joint-choices';
+import type { JointRole } from '../app/joint-choices';
 
 export interface JointTable {
   readonly words: Words;

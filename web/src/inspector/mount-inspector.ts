@@ -8,7 +8,7 @@ import { follow, mount } from '../common/mount';
 import type { ClipResult, PerformerResult, Role } from '../engine/types';
 import { notesAtOnce } from './doctor';
 import { inspector, type InspectorProps } from './inspector';
-import { copiesOf, withJoint, type JointCopies } from './joint-choices';
+import { copiesOf, withJoint, type JointCopies } from '../app/joint-choices';
 import { createRefusals, type Refusals } from './refusals';
 import { whySubject, type WhySubject } from './why-subject';
 

@@ -1,17 +1,21 @@
 /** Skeletons and what a person said of their joints in; the same for one more joint, or for other clips, out. */
-import type { Clip } from '../app/clips';
-import type { JointsChange } from '../app/decisions';
-import type { JointDecision, Skeleton } from '../engine/types';
+import type { ClipResult, JointDecision, Skeleton } from '../engine/types';
+import type { Clip } from './clips';
+import type { JointsChange } from './decisions';
 
 export type JointRole = JointDecision['role'];
 
 const keys = new WeakMap<Skeleton, string>();
+/** One string of each, so that comparing two is quick. */
+const strings = new Map<string, string>();
 
 /** The same for the same hierarchy. */
 export function skeletonKey(skeleton: Skeleton): string {
   const known = keys.get(skeleton);
   if (known !== undefined) return known;
-  const key = `${skeleton.parents.join()}\n${skeleton.labels.join('\n')}`;
+  const text = `${skeleton.parents.join()}\n${skeleton.labels.join('\n')}`;
+  const key = strings.get(text) ?? text;
+  strings.set(text, key);
   keys.set(skeleton, key);
   return key;
 }
@@ -75,4 +79,25 @@ export function copiesOf(clips: readonly Clip[], open: Clip, performer: number):
     ({ change, clip }) => !sameJoints(change.joints, clip.decisions.joints ?? []),
   );
   return { clips: alike.length, changes: changed.map(({ change }) => change) };
+}
+
+/**
+ * What a clip that has just been read takes over: the joints of the clips of its hierarchy, where a person
+ * corrected them and they all agree; null if there is nothing to take over.
+ */
+export function inheritedJoints(
+  clips: readonly Clip[],
+  result: ClipResult,
+): readonly JointDecision[] | null {
+  const [performer] = result.performers;
+  const corrected = clips.some(({ decisions }) => decisions.joints !== undefined);
+  if (!performer || !corrected || result.performers.length > 1) return null;
+  const key = skeletonKey(performer.skeleton);
+  const alike = clips.filter(({ removed, result: other }) => {
+    const one = other?.performers.length === 1 ? other.performers[0] : undefined;
+    return !removed && one !== undefined && skeletonKey(one.skeleton) === key;
+  });
+  const joints = alike[0]?.decisions.joints;
+  if (!joints || joints.length === 0) return null;
+  return alike.every(({ decisions }) => sameJoints(decisions.joints ?? [], joints)) ? joints : null;
 }

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
-import { testClip } from '../app/test-clips';
 import type { ClipResult, JointDecision, Skeleton } from '../engine/types';
-import { copiesOf, skeletonKey, withJoint } from './joint-choices';
+import { copiesOf, inheritedJoints, skeletonKey, withJoint } from './joint-choices';
+import { testClip } from './test-clips';
 
 const skeleton = (...labels: string[]): Skeleton => ({
   labels,
@@ -51,4 +51,15 @@ test('copies go to the other clips of the hierarchy, to each performer of it', (
 test('a clip that is not read yet is left alone', () => {
   const open = clipOf(0, [skeleton('a')], [neck(0)]);
   expect(copiesOf([open, testClip(1, 'b.bvh')], open, 0)).toEqual({ clips: 0, changes: [] });
+});
+
+test('a clip that comes later takes over what its hierarchy agrees on', () => {
+  const one = () => skeleton('a', 'b');
+  const coming = clipOf(9, [one()]).result as ClipResult;
+  const corrected = clipOf(0, [one()], [neck(1)]);
+  expect(inheritedJoints([corrected, clipOf(1, [skeleton('x')])], coming)).toEqual([neck(1)]);
+  expect(inheritedJoints([corrected, clipOf(1, [one()])], coming)).toBeNull();
+  expect(inheritedJoints([corrected, clipOf(1, [one()], [neck(0)])], coming)).toBeNull();
+  expect(inheritedJoints([clipOf(0, [one()])], coming)).toBeNull();
+  expect(inheritedJoints([{ ...corrected, removed: true }], coming)).toBeNull();
 });
