@@ -6,16 +6,31 @@ import { sampleFiles, sampleBytes, temporaryFolder, writeFiles } from './support
 import { exportOf, keyposeFramesOf, reportOf } from './support/reports';
 import { expect, test } from './support/test';
 
-const buttons = { csv: 'Keyposes, CSV', json: 'Keyposes, JSON' } as const;
+const tables = ['Keyposes', 'Candidates', 'Traces'] as const;
+const forms = ['csv', 'json'] as const;
+
+type Table = (typeof tables)[number];
+type Form = (typeof forms)[number];
+
+/** How the command line is asked for a table. */
+const optionsOf: Readonly<Record<Table, readonly string[]>> = {
+  Keyposes: [],
+  Candidates: ['--candidates'],
+  Traces: ['--traces'],
+};
 
 /** Presses a button of Export; the file's name and what is in it. */
 async function exported(
   app: AppPage,
-  form: keyof typeof buttons,
+  form: Form,
+  table: Table = 'Keyposes',
 ): Promise<{ name: string; text: string }> {
   await app.tab('Export');
   const download = app.page.waitForEvent('download');
-  await app.section('Export').getByRole('button', { name: buttons[form] }).click();
+  await app
+    .section('Export')
+    .getByRole('button', { name: `${table}, ${form.toUpperCase()}` })
+    .click();
   const file = await download;
   return { name: file.suggestedFilename(), text: readFileSync(await file.path(), 'utf8') };
 }
@@ -50,6 +65,34 @@ test('CSV and JSON, before and after decisions', async ({ app }) => {
   expect(again.text).not.toBe(json.text);
   expect(again.text).toBe(exportOf(path, 'json', ...decided));
   expect((await exported(app, 'csv')).text).toBe(exportOf(path, 'csv', ...decided));
+});
+
+/** Every table in both forms; whether all are the command line's with these options. */
+async function expectAll(app: AppPage, path: string, ...options: string[]): Promise<void> {
+  for (const table of tables) {
+    for (const form of forms) {
+      const { name, text } = await exported(app, form, table);
+      expect(name).toMatch(new RegExp(`\\.${table.toLowerCase()}\\.${form}$`));
+      const expected = exportOf(path, form, ...options, ...optionsOf[table]);
+      // The texts are too long to be shown where they differ.
+      expect(text === expected, `${table} ${form}`).toBe(true);
+    }
+  }
+}
+
+test('keyposes, candidates and traces, before and after a change of the method', async ({
+  app,
+}) => {
+  const [path = ''] = sampleFiles('slow-dance-vrm-30');
+  await app.openWith(path);
+  await expectAll(app, path);
+  await app.tab('Method');
+  await app.field('Selection').selectOption('Even split');
+  const finest = app.page.getByRole('textbox', { name: /^Finest scale/ });
+  await finest.fill('5');
+  await finest.press('Enter');
+  await app.settled();
+  await expectAll(app, path, '--even-split', '--scale-max-hz', '5');
 });
 
 test('a name that needs quotes, and letters beyond ASCII', async ({ app }) => {
