@@ -43,15 +43,14 @@ fn leg(pose: &Pose, side: Side) -> Option<(PostureState, f64)> {
         .into_iter()
         .all(|side| is_off_the_ground(pose, side));
     let steep = if is_in_the_air { 0.85 } else { 0.75 };
-    match reach.norm() > 0.8 {
-        true => best([
-            (PostureState::High, (steep - steepness) / 0.4),
-            (PostureState::Lifted, lift),
-        ]),
-        false => best([
-            (PostureState::Raised, (thigh + 0.45) / 0.6),
-            (PostureState::Lifted, lift),
-        ]),
+    let telling = match reach.norm() > 0.8 {
+        true => (PostureState::High, (steep - steepness) / 0.4),
+        false => (PostureState::Raised, (thigh + 0.45) / 0.6),
+    };
+    // What the leg does says more than that its foot is off the ground.
+    match best([telling]) {
+        Some((state, score)) => Some((state, score.max(lift))),
+        None => best([(PostureState::Lifted, lift)]),
     }
 }
 
