@@ -64,6 +64,31 @@ function propsOf(performers: readonly StagePerformer[]): StageProps {
   };
 }
 
+/** Two frames of the browser: the stage has been told its size. */
+function settled(): Promise<void> {
+  return new Promise((resolve) =>
+    requestAnimationFrame(() => requestAnimationFrame(() => resolve())),
+  );
+}
+
+async function drawAll(
+  target: HTMLElement,
+  performer: StagePerformer,
+  figures: number,
+): Promise<StageFrames> {
+  const stage = new Stage(target, propsOf(Array.from({ length: figures }, () => performer)));
+  await settled();
+  const frameMs: number[] = [];
+  for (let frame = 0; frame < WARM_UP + FRAMES; frame += 1) {
+    const start = performance.now();
+    stage.drawFrame(frame);
+    if (frame >= WARM_UP) frameMs.push(performance.now() - start);
+  }
+  const { drawCalls, triangles, uniformVectors } = stage.metrics();
+  stage.destroy();
+  return { figures, frameMs, drawCalls, triangles, uniformVectors };
+}
+
 /** Plays a clip with each number of figures on the stage, of 1000 × 700 pixels. */
 export async function drawFrames(
   name: string,
@@ -74,18 +99,8 @@ export async function drawFrames(
   const target = document.createElement('div');
   target.style.cssText = 'width: 1000px; height: 700px';
   document.body.append(target);
-  const found = counts.map((figures) => {
-    const stage = new Stage(target, propsOf(Array.from({ length: figures }, () => performer)));
-    const frameMs: number[] = [];
-    for (let frame = 0; frame < WARM_UP + FRAMES; frame += 1) {
-      const start = performance.now();
-      stage.drawFrame(frame);
-      if (frame >= WARM_UP) frameMs.push(performance.now() - start);
-    }
-    const { drawCalls, triangles, uniformVectors } = stage.metrics();
-    stage.destroy();
-    return { figures, frameMs, drawCalls, triangles, uniformVectors };
-  });
+  const found: StageFrames[] = [];
+  for (const figures of counts) found.push(await drawAll(target, performer, figures));
   target.remove();
   return found;
 }
