@@ -101,13 +101,15 @@ impl<'a> Cursor<'a> {
 
 /// Where the first word of a text ends.
 fn word_end(text: &str) -> usize {
-    let ends = |c: char| c.is_whitespace() || c == '{' || c == '}';
     let mut bytes = text.bytes();
-    // Bytes of longer characters do not end a word by themselves.
-    match bytes.position(|byte| !byte.is_ascii() || ends(char::from(byte))) {
-        Some(end) if text.as_bytes()[end].is_ascii() => end,
-        Some(_) => text.find(ends).unwrap_or(text.len()),
-        None => text.len(),
+    let end = bytes.position(|byte| matches!(byte, b'\t'..=b'\r' | b' ' | b'{' | b'}' | 0x80..));
+    match end {
+        // White space of several bytes ends a word too, other characters of several bytes do not.
+        Some(end) if !text.as_bytes()[end].is_ascii() => {
+            let is_end = |c: char| c.is_whitespace() || c == '{' || c == '}';
+            text.find(is_end).unwrap_or(text.len())
+        }
+        end => end.unwrap_or(text.len()),
     }
 }
 
@@ -128,6 +130,14 @@ mod tests {
         assert_eq!(name("a{b} c { OFFSET"), ("a{b} c", "{ OFFSET"));
         assert_eq!(name("{"), ("", "{"));
         assert_eq!(name(""), ("", ""));
+    }
+
+    #[test]
+    fn a_word_ends_at_white_space_of_any_kind_or_a_brace() {
+        for text in ["左a", "左a\u{3000}b", "左a b", "左a{", "左a}\u{3000}"] {
+            let place = Place { line: 1, column: 1 };
+            assert_eq!(Cursor::new(text, place).word().0, "左a", "{text}");
+        }
     }
 
     #[test]
