@@ -146,6 +146,7 @@ export function measureCancel(address, path, shortPath) {
       window.probe.cancelMs = performance.now();
       document.querySelector('.progress-card button').click();
     });
+    await app.until(() => document.querySelector('.clip progress, .progress-card') === null);
     await app.rest();
     const { cancelMs, workerMs } = await app.probe();
     const clips = await app.page.locator('.clip').count();
