@@ -161,12 +161,14 @@ async function expectSpeeds(app: AppPage, path: string, golden: string): Promise
   const { speed, speed_first_frame: first } = JSON.parse(readFileSync(golden, 'utf8')) as Golden;
   const speedFigure = app.page.locator('.row-figure').nth(1);
   await app.page.keyboard.press('Home');
-  for (const { frame } of reportOf(path).keyposes) {
+  const { keyposes, frames, frame_time_s: step } = reportOf(path);
+  for (const { frame } of keyposes) {
     await app.page.keyboard.press('k');
     await app.expectFrame(frame);
     await expect(speedFigure).toHaveText(figure(speed[frame - first] ?? 0));
     await app.page.keyboard.press('Shift+ArrowRight');
-    const later = await app.frame();
+    const later = Math.min(frames - 1, frame + Math.round(0.1 / step));
+    await app.expectFrame(later);
     await expect(speedFigure).toHaveText(figure(speed[later - first] ?? 0));
     await app.page.keyboard.press('Shift+ArrowLeft');
   }
