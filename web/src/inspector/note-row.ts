@@ -54,8 +54,8 @@ function placeText({ t }: Words, { line, column }: Note): string {
     : t('notes.place', String(line), String(column));
 }
 
-function leadingSwitch({ words: { t }, performer, onLeaveOut }: NoteProps): TemplateResult {
-  const leftOut = performer.leadingRestFrames > 0;
+function leadingSwitch({ words: { t }, clip, performer, onLeaveOut }: NoteProps): TemplateResult {
+  const leftOut = (clip.decisions.leadingRestFrames ?? performer.leadingRestFrames) > 0;
   return html`<button
     type="button"
     class="switch"

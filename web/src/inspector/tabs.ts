@@ -41,7 +41,9 @@ function focus(): void {
 export function tabList({ words: { t, format }, chosen, notes, onTab }: TabsProps): TemplateResult {
   const onKey = (event: KeyboardEvent): void => {
     if (reach.byPointer || event.ctrlKey || event.altKey || event.metaKey) return;
-    const tab = tabByKey(event.key, chosen);
+    // The focus tells the tab: two keys may come before the panel is drawn again.
+    const focused = inspectorTabs.find((one) => tabId(one) === (event.target as Element).id);
+    const tab = tabByKey(event.key, focused ?? chosen);
     if (!tab) return;
     event.preventDefault();
     onTab(tab);
