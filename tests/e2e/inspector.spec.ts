@@ -48,6 +48,17 @@ test('after a press of the pointer the keys go on to play the motion', async ({ 
   await expect(page.getByRole('tab', { name: 'Body' })).toHaveAttribute('aria-selected', 'true');
 });
 
+test('Ctrl+Z in the field undoes what was taken from it', async ({ app, page }) => {
+  await app.openWith(...sampleFiles('walk-hik-30'));
+  const field = page.getByRole('textbox', { name: /^Ratio/ });
+  await field.fill('0.8');
+  await field.press('Enter');
+  await app.settled();
+  await field.press('Control+z');
+  await expect(page.locator('.setting.changed')).toHaveCount(0);
+  await expect.poll(() => field.inputValue()).toBe('0.95');
+});
+
 const parameters = [
   ['Low-pass cut-off', '4', '--low-pass-hz'],
   ['Finest scale', '5', '--scale-max-hz'],

@@ -49,7 +49,7 @@ export function reasonOf({ t, failure }: Words, clip: Clip): string {
   const reason = failure(clip.failure);
   return clip.failure.line === null
     ? reason
-    : t('toast.error', t('notes.line', clip.failure.line), reason);
+    : t('toast.error', t('place.line', String(clip.failure.line)), reason);
 }
 
 /** "6.0 s · 120 Hz". */

@@ -50,6 +50,12 @@ test('a field takes every key, a button Space', () => {
   expect(command('k', {}, 'button')).toBe('next-keypose');
 });
 
+test('a field without unwritten changes takes every key but undo', () => {
+  expect(command('z', { ctrlKey: true }, 'settled-field')).toBe('undo');
+  expect(command('z', {}, 'settled-field')).toBeNull();
+  expect(command(']', { ctrlKey: true, altKey: true }, 'settled-field')).toBeNull();
+});
+
 test('keys that mean nothing here stay with the browser', () => {
   expect(command('ArrowLeft', { altKey: true })).toBeNull();
   expect(command('Tab')).toBeNull();

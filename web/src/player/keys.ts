@@ -35,8 +35,11 @@ export interface KeyPress {
   readonly altKey: boolean;
 }
 
-/** What the keyboard is in: a field takes every key, a button that was reached by key takes Space. */
-export type KeyFocus = 'page' | 'button' | 'field';
+/**
+ * What the keyboard is in: a field takes every key, but undo where nothing is written that is not taken
+ * yet (a settled field); a button that was reached by key takes Space.
+ */
+export type KeyFocus = 'page' | 'button' | 'field' | 'settled-field';
 
 const plainKeys: Readonly<Record<string, KeyCommand>> = {
   ' ': 'play',
@@ -84,8 +87,9 @@ const altKeys: Readonly<Record<string, KeyCommand>> = { '[': 'loop-start', ']': 
 export function commandFor(press: KeyPress, focus: KeyFocus): KeyCommand | null {
   if (focus === 'field') return null;
   const key = press.key.length === 1 ? press.key.toLowerCase() : press.key;
+  if ((press.ctrlKey || press.metaKey) && !press.altKey) return historyCommand(key, press.shiftKey);
+  if (focus === 'settled-field') return null;
   if (press.altKey) return altKeys[key] ?? null;
-  if (press.ctrlKey || press.metaKey) return historyCommand(key, press.shiftKey);
   if (key === ' ' && focus === 'button') return null;
   return (press.shiftKey ? shiftKeys : plainKeys)[key] ?? null;
 }
@@ -94,12 +98,18 @@ const writtenInputs = new Set(['checkbox', 'radio', 'button', 'file', 'submit'])
 
 const buttons = 'button, a[href], summary, [role="menuitem"], [role="menuitemradio"]';
 
+/** A field of a number says by its default what was taken last. */
+function focusOfInput({ type, value, defaultValue }: HTMLInputElement): KeyFocus {
+  if (writtenInputs.has(type)) return 'button';
+  return value !== '' && value === defaultValue ? 'settled-field' : 'field';
+}
+
 /** `reachedByKey`: whether the focus came by the Tab key or the like, not by a press of the pointer. */
 export function focusOf(target: EventTarget | null, reachedByKey: boolean): KeyFocus {
   if (!(target instanceof HTMLElement)) return 'page';
-  if (target.isContentEditable || target.matches('textarea, select')) return 'field';
-  if (target instanceof HTMLInputElement)
-    return writtenInputs.has(target.type) ? 'button' : 'field';
+  if (target.isContentEditable || target.matches('textarea')) return 'field';
+  if (target instanceof HTMLSelectElement) return 'settled-field';
+  if (target instanceof HTMLInputElement) return focusOfInput(target);
   // A row of the library opens as soon as it is reached: Space is free to play it.
   const takesSpace = target.closest(buttons) !== null && target.dataset['space'] !== 'plays';
   return takesSpace && reachedByKey ? 'button' : 'page';

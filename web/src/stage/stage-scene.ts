@@ -196,6 +196,7 @@ export class StageScene {
       shades.push(ghost);
       if (ghost.passing) continue;
       farthest = Math.max(farthest, Math.hypot(ghost.x - place.x, ghost.z - place.z));
+      place.above = Math.max(place.above, ghost.pose.excessHigh);
     }
     // Much nearer, and the camera comes nearer too; else the picture would breathe from keypose to keypose.
     if (farthest > place.ghosts || farthest < NEARER * place.ghosts) place.ghosts = farthest;

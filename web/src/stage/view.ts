@@ -61,8 +61,10 @@ export function presetView(
   };
 }
 
-/** Where a camera looks and how far away it stands, so that all figures are in the picture. */
-/** `headroom`: part of the stage's height that is kept free above, for what stands over it. */
+/**
+ * Where a camera looks and how far away it stands, so that all figures are in the picture.
+ * `headroom`: part of the stage's height that is kept free above, for what stands over it.
+ */
 export function framing(aspect: number, place: Place, headroom = 0): Framing {
   const { x, z, reach, above, below, ghosts } = place;
   const shape = Math.max(aspect, 1e-3);

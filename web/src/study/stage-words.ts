@@ -37,6 +37,6 @@ type Translate = Context['language']['words']['value']['t'];
 
 function placeInFile(t: Translate, line: number | null, column: number | null): string {
   if (line === null) return '';
-  if (column === null) return t('notes.line', String(line));
-  return t('notes.place', String(line), String(column));
+  if (column === null) return t('place.line', String(line));
+  return t('place.column', String(line), String(column));
 }

@@ -102,6 +102,8 @@ export const en = {
     'At this frame joints lie at no place that can be drawn. Timeline, keyposes and exports go on.',
   'stage.loading': 'Reading {0} …',
   'stage.choose': 'Choose a clip in the library.',
+  'place.line': 'line {0}',
+  'place.column': 'line {0}, column {1}',
   'stage.failed': 'This file could not be read',
   'caption.keypose': 'Keypose {0} of {1}',
   'caption.performer': '{0} · {1}',

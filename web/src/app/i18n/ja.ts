@@ -103,6 +103,8 @@ export const ja: Catalogue = {
     'このフレームには描けない位置の関節があります。タイムライン、キーポーズ、書き出しは使えます。',
   'stage.loading': '{0} を読み込んでいます…',
   'stage.choose': 'ライブラリからクリップを選んでください。',
+  'place.line': '{0} 行',
+  'place.column': '{0} 行 {1} 列',
   'stage.failed': 'このファイルは読み込めませんでした',
   'caption.keypose': 'キーポーズ {0} / {1}',
   'caption.performer': '{0} · {1}',
