@@ -53,7 +53,7 @@ test('Ctrl+Z in the field undoes what was taken from it', async ({ app, page }) 
   const field = page.getByRole('textbox', { name: /^Ratio/ });
   await field.fill('0.8');
   await field.press('Enter');
-  await app.settled();
+  await expect(page.locator('.setting.changed')).toHaveCount(1);
   await field.press('Control+z');
   await expect(page.locator('.setting.changed')).toHaveCount(0);
   await expect.poll(() => field.inputValue()).toBe('0.95');

@@ -36,7 +36,6 @@ function take(
   const value = parseNumber(text);
   const wrong = Number.isNaN(value) ? words.t('wrong.number') : setting.refuse(value);
   input.value = wrong === null ? String(value) : text;
-  if (wrong === null) input.defaultValue = input.value;
   input.setCustomValidity(wrong ?? '');
   refusals.set(setting.id, setting.basis, wrong);
   if (wrong === null && value !== setting.value) setting.onValue(value);

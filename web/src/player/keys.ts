@@ -98,7 +98,7 @@ const writtenInputs = new Set(['checkbox', 'radio', 'button', 'file', 'submit'])
 
 const buttons = 'button, a[href], summary, [role="menuitem"], [role="menuitemradio"]';
 
-/** A field of a number says by its default what was taken last. */
+/** A field says by its default what the page took last. */
 function focusOfInput({ type, value, defaultValue }: HTMLInputElement): KeyFocus {
   if (writtenInputs.has(type)) return 'button';
   return value !== '' && value === defaultValue ? 'settled-field' : 'field';
