@@ -5,17 +5,32 @@
 import { effect } from '@preact/signals-core';
 import { render } from 'lit-html';
 
+/** Views that take longer than this are drawn in more than one frame: no task may last 50 ms. */
+const FRAME_MS = 12;
+
 const waiting = new Set<() => void>();
+let requested = false;
+
+function request(): void {
+  if (requested) return;
+  requested = true;
+  requestAnimationFrame(drawWaiting);
+}
 
 function drawWaiting(): void {
-  const draws = [...waiting];
-  waiting.clear();
-  for (const draw of draws) draw();
+  requested = false;
+  const end = performance.now() + FRAME_MS;
+  for (const draw of [...waiting]) {
+    waiting.delete(draw);
+    draw();
+    if (performance.now() > end) break;
+  }
+  if (waiting.size > 0) request();
 }
 
 function schedule(draw: () => void): void {
-  if (waiting.size === 0) requestAnimationFrame(drawWaiting);
   waiting.add(draw);
+  request();
 }
 
 /** Runs `update` now, and once in the next frame after any signal that it read has changed. */
