@@ -28,7 +28,9 @@ function secondsOf(
   { words: { t, format }, keyposes, frameTimeS }: Explained,
   candidate: number,
 ): string {
-  return t('unit.seconds', format.decimal((keyposes.candidates[candidate] ?? 0) * frameTimeS, 2));
+  const seconds = (keyposes.candidates[candidate] ?? 0) * frameTimeS;
+  // Four digits before the point leave no room for two behind it.
+  return t('unit.seconds', format.decimal(seconds, seconds < 1000 ? 2 : 0));
 }
 
 function bar({ percent, side }: PartBar): TemplateResult {

@@ -9,7 +9,7 @@ const SHADOW_OF_HEIGHT = 0.75;
 const SHADE_WIDTH = 0.5;
 /** A human's joints lie within these around the pelvis and above the ground, nearly always, in body heights. */
 const HUMAN_REACH = 0.55;
-const HUMAN_HIGH = 1.17;
+const HUMAN_HIGH = 1.12;
 const HUMAN_LOW = -0.1;
 /** A joint gone astray does not make the rest a dot. */
 const MOST_EXCESS = 3;
