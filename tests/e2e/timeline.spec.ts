@@ -51,14 +51,16 @@ test('the wheel zooms about the pointer and pans; playing and keys take the view
   await app.openWith(path);
   const whole = await spanText(page);
   await wheel(page, 0.5, speedY, 'Control', 0);
-  const before = await page.locator('.hover-flag').innerText();
+  const pointedS = async (): Promise<number> =>
+    Number((await page.locator('.hover-flag').innerText()) || NaN);
+  await expect.poll(pointedS).toBeGreaterThan(0);
+  const before = await pointedS();
   await wheel(page, 0.5, speedY, 'Control', -6);
   await expect.poll(() => spanText(page)).not.toBe(whole);
   const [first = 0, end = 0] = await shownSeconds(page);
   expect(end - first).toBeLessThan(2);
   await wheel(page, 0.5, speedY + 1, 'Control', 0);
-  const after = await page.locator('.hover-flag').innerText();
-  expect(Math.abs(Number(after) - Number(before))).toBeLessThan(0.05);
+  await expect.poll(async () => Math.abs((await pointedS()) - before)).toBeLessThan(0.05);
 
   const zoomed = await spanText(page);
   await wheel(page, 0.5, speedY, 'Shift', 2);
