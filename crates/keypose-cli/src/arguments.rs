@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
+use motion::keypose::evaluation::Span;
 use motion::keypose::{Options, SelectionRule};
 use motion::report::Table;
 
@@ -144,6 +145,14 @@ impl Keyposes {
             (true, _) => Table::Candidates,
             (_, true) => Table::Traces,
             _ => Table::Keyposes,
+        }
+    }
+
+    /// Which keyposes are judged.
+    pub fn span(&self) -> Span {
+        match self.within_marks {
+            true => Span::Marks,
+            false => Span::Clip,
         }
     }
 }

@@ -18,7 +18,7 @@ use anyhow::Result;
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
 use motion::keypose::Options;
-use motion::keypose::evaluation::Span;
+use motion::keypose::evaluation::Evaluation;
 use motion::report::{self, csv};
 
 use crate::arguments::{Arguments, Command, Inspect, Keyposes};
@@ -61,11 +61,6 @@ fn run_keyposes(keyposes: &Keyposes, threads: usize) -> Result<bool> {
     let options = keyposes.method.options();
     options.validate()?;
     let marks = keyposes.marks.as_deref().map(Marks::read).transpose()?;
-    let span = if keyposes.within_marks {
-        Span::Marks
-    } else {
-        Span::Clip
-    };
     let work = Work {
         paths: &keyposes.paths,
         wishes: Wishes::new(&keyposes.overrides)?,
@@ -73,20 +68,13 @@ fn run_keyposes(keyposes: &Keyposes, threads: usize) -> Result<bool> {
         threads,
     };
     let mut means = Means::default();
-    let table = keyposes.table();
-    let mut head = if keyposes.csv { csv::header(table) } else { "" };
+    let mut head = match keyposes.csv {
+        true => csv::header(keyposes.table()),
+        false => "",
+    };
     let show = |study: &Study| {
-        let evaluations = judge(study, marks.as_ref(), span);
-        let text = match (keyposes.json, keyposes.csv) {
-            (true, _) => report::json_lines(&study.subject(), table, &evaluations),
-            (_, true) => csv::rows(&study.subject(), table),
-            _ => KeyposesText {
-                study,
-                evaluations: &evaluations,
-            }
-            .to_string(),
-        };
-        (text, evaluations)
+        let evaluations = judge(study, marks.as_ref(), keyposes.span());
+        (keyposes_text(keyposes, study, &evaluations), evaluations)
     };
     let all_good = work.run(show, |out, (text, evaluations)| {
         out.write_all(std::mem::take(&mut head).as_bytes())?;
@@ -97,6 +85,16 @@ fn run_keyposes(keyposes: &Keyposes, threads: usize) -> Result<bool> {
         eprintln!("{means}");
     }
     Ok(all_good)
+}
+
+/// The keyposes of a file in the form that was asked for.
+fn keyposes_text(keyposes: &Keyposes, study: &Study, evaluations: &[Option<Evaluation>]) -> String {
+    let table = keyposes.table();
+    match (keyposes.json, keyposes.csv) {
+        (true, _) => report::json_lines(&study.subject(), table, evaluations),
+        (_, true) => csv::rows(&study.subject(), table),
+        _ => KeyposesText { study, evaluations }.to_string(),
+    }
 }
 
 /// What is done to all files of a call.
