@@ -47,7 +47,8 @@ function propsOf(
 }
 
 export function mountLibrary(place: HTMLElement, context: Context): void {
-  const scroll = signal<Scroll>({ top: 0, height: place.clientHeight });
+  // The observer below tells the height once the page is laid out.
+  const scroll = signal<Scroll>({ top: 0, height: 0 });
   const { store, language } = context;
   const body = document.createElement('div');
   body.className = 'library-body';

@@ -285,10 +285,18 @@ export class Timeline {
   private buildSlice(keyposes: KeyposeResult, begun: TimelineData | null): void {
     if (this.source !== keyposes) return;
     const data = begun ?? new TimelineData(keyposes);
-    if (begun !== null && data.build(BUILD_MS)) {
-      this.data = data;
-      this.layout();
-    } else requestAnimationFrame(() => this.buildSlice(keyposes, data));
+    const isReady = begun !== null && data.build(BUILD_MS);
+    // What is ready is drawn in the next frame, so that no frame does both.
+    requestAnimationFrame(() => {
+      if (isReady) this.take(data);
+      else this.buildSlice(keyposes, data);
+    });
+  }
+
+  private take(data: TimelineData): void {
+    if (this.source !== data.result) return;
+    this.data = data;
+    this.layout();
   }
 
   private get ground(): GestureGround {
