@@ -153,7 +153,7 @@ export const ja: Catalogue = {
   'timeline.playhead': '再生位置',
   'timeline.scales': '時間スケール',
   'timeline.scales.spoken':
-    '時間スケール {0} ヘルツから {1} ヘルツ：候補 {3} 個のうちキーポーズ {2} 個の軌跡',
+    '時間スケール {0} ヘルツから {1} ヘルツ：候補 {3} 個のうちキーポーズ {2} 個のトレース',
   'timeline.fine': '細かい',
   'timeline.coarse': '粗い',
   'timeline.intensity': '強度',
