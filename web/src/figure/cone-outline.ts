@@ -1,4 +1,4 @@
-/** In: two circles. Out: the outline of their convex hull, as angles, as SVG path data, on a canvas. */
+/** In: two circles. Out: the outline of their convex hull, as angles and as SVG path data. */
 
 /**
  * Angles of the outline: it leaves both circles at `axis ± spread`. null where one circle holds the
@@ -36,26 +36,6 @@ export function hullPath(
     `A${short(r2)} ${short(r2)} 0 ${blunt} 1 ${onCircle(x2, y2, r2, to)}` +
     `L${onCircle(x1, y1, r1, to)}A${short(r1)} ${short(r1)} 0 ${1 - blunt} 1 ${onCircle(x1, y1, r1, from)}Z`
   );
-}
-
-/** Adds the hull of two circles to the current path of a canvas. */
-export function traceHull(
-  path: CanvasPath,
-  x1: number,
-  y1: number,
-  r1: number,
-  x2: number,
-  y2: number,
-  r2: number,
-): void {
-  const angles = hullAngles(x1, y1, r1, x2, y2, r2);
-  const from = angles ? angles.axis - angles.spread : 0;
-  const to = angles ? angles.axis + angles.spread : 2 * Math.PI;
-  const [firstX, firstY, firstR] = angles || r2 > r1 ? [x2, y2, r2] : [x1, y1, r1];
-  path.moveTo(firstX + firstR * Math.cos(from), firstY + firstR * Math.sin(from));
-  path.arc(firstX, firstY, firstR, from, to);
-  if (angles) path.arc(x1, y1, r1, to, from + 2 * Math.PI);
-  path.closePath();
 }
 
 function circlePath(x: number, y: number, r: number): string {

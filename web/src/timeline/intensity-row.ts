@@ -1,4 +1,5 @@
 /** Draws the row of intensity: a dot for every candidate, filled for keyposes, and the cut between them. */
+import { paintDots } from './dots';
 import { DotGrid, intensityRadius, intensityY, ZERO_RADIUS } from './intensity-dots';
 import { isSparse, type Scene } from './scene';
 import type { Run } from './sorted';
@@ -88,11 +89,7 @@ function drawCandidates(context: CanvasRenderingContext2D, scene: Scene): void {
   if (candidates.to - candidates.from > CROWD)
     return fillSpecks(context, scene, candidates, candidateOf, palette.text3);
   addDots(context, scene, candidates, candidateOf);
-  context.fillStyle = palette.panel;
-  context.strokeStyle = palette.text3;
-  context.lineWidth = 1;
-  context.fill();
-  context.stroke();
+  paintDots(context, palette.panel, palette.text3, 1);
 }
 
 function drawKeyposes(context: CanvasRenderingContext2D, scene: Scene): void {
@@ -100,11 +97,7 @@ function drawKeyposes(context: CanvasRenderingContext2D, scene: Scene): void {
   const candidateOf = (index: number): number => data.result.keyposes[index];
   if (!isSparse(scene)) return fillSpecks(context, scene, keyposes, candidateOf, palette.kp);
   addDots(context, scene, keyposes, candidateOf);
-  context.fillStyle = palette.kp;
-  context.strokeStyle = palette.panel;
-  context.lineWidth = 1;
-  context.fill();
-  context.stroke();
+  paintDots(context, palette.kp, palette.panel, 1);
 }
 
 /** The candidate of an index of a run; -1 where it is left out. */

@@ -1,4 +1,5 @@
 /** Draws the row of motion speed: area, trend, curve and the keyposes upon it. */
+import { paintDots } from './dots';
 import type { Row } from './rows';
 import type { Scene } from './scene';
 import { standingApart } from './scene';
@@ -38,11 +39,7 @@ export function drawSpeedDot(
   if (speed === undefined) return;
   context.beginPath();
   context.arc(axis.x(frame), speedY(rows.speed, speed, data.result.maximumSpeed), radius, 0, 7);
-  context.fillStyle = palette.kp;
-  context.strokeStyle = palette.panel;
-  context.lineWidth = 1.4;
-  context.fill();
-  context.stroke();
+  paintDots(context, palette.kp, palette.panel, 1.4);
 }
 
 const DOT_RADIUS = 2.8;
@@ -61,11 +58,7 @@ function drawDots(
     context.moveTo(x + DOT_RADIUS, at);
     context.arc(x, at, DOT_RADIUS, 0, 2 * Math.PI);
   }
-  context.fillStyle = palette.kp;
-  context.strokeStyle = palette.panel;
-  context.lineWidth = 1.4;
-  context.fill();
-  context.stroke();
+  paintDots(context, palette.kp, palette.panel, 1.4);
 }
 
 type ToPixel = (speed: number) => number;
