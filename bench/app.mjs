@@ -105,10 +105,14 @@ export function measureDrop(address, path, runs) {
   });
 }
 
-/** The same for a long clip, twice, with nothing drawn; the longest task, and memory for one clip. */
+/**
+ * The same for a long clip, twice, with nothing drawn; the longest task before the first drop and over all,
+ * and memory for one clip.
+ */
 export function measureLongDrop(address, path) {
   return inApp(address, '?stage=off', async (app) => {
     const drops = [];
+    const { longestTaskMs: startTaskMs } = await app.probe();
     for (const number of [1, 2]) {
       await app.drop(namesake(path, number));
       await app.until(() => window.probe.keyposesMs > 0);
@@ -122,6 +126,7 @@ export function measureLongDrop(address, path) {
       bytes: statSync(path).size,
       firstMs: first.keyposesMs,
       secondMs: second.keyposesMs,
+      startTaskMs,
       longestTaskMs: second.longestTaskMs,
       memoryBytes: first.memoryBytes,
     };

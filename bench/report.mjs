@@ -87,6 +87,10 @@ function dropTable({ drop, long }) {
   );
 }
 
+function startLine({ startTaskMs }) {
+  return `longest task before the first drop, of the page's own start: ${milliseconds(startTaskMs)} ms.`;
+}
+
 function cancelLine({ idleMs, clips, heldBytes, leftBytes }) {
   const memory =
     heldBytes === null
@@ -132,7 +136,7 @@ export function report({ reading, extraction, opening, app, stage, folder }) {
     ...(reading ? [readingTable(reading), bitsLine(reading)] : []),
     ...(extraction ? [extractionTable(extraction)] : []),
     ...(opening ? [openingTable(opening)] : []),
-    ...(app ? [dropTable(app), ...app.cancel.map(cancelLine)] : []),
+    ...(app ? [dropTable(app), ...app.long.map(startLine), ...app.cancel.map(cancelLine)] : []),
     ...(stage ? [stageTable(stage)] : []),
     ...(folder ? [folderTable(folder)] : []),
   ].join('\n\n');

@@ -197,3 +197,17 @@ test('files of the same name are kept apart; the same file twice is one row', as
   await app.drop(first);
   await expect(page.locator('.library-count')).toHaveText('3 clips');
 });
+
+test('what went wrong is told beside the labels of the timeline, not over them', async ({
+  app,
+  page,
+}) => {
+  const [text] = writeFiles(temporaryFolder(), { 'notes.txt': 'notes' });
+  await app.openWith(...sampleFiles('walk-hik-30'));
+  await app.drop(text);
+  await expect(app.toast).toHaveText('notes.txt is no BVH file.');
+  const box = async (selector: string) => (await page.locator(selector).boundingBox())!;
+  const toast = await box('.toast');
+  expect(toast.x + toast.width).toBeLessThanOrEqual((await box('.timeline')).x);
+  expect(toast.y + toast.height).toBeLessThanOrEqual((await box('.library-foot')).y);
+});

@@ -113,7 +113,7 @@ test('the overview is a brush for pointer and keys', async ({ app, page }) => {
   await overview(page).focus();
   for (let n = 0; n < 4; n++) await page.keyboard.press('ArrowLeft');
   await expect.poll(async () => (await shownSeconds(page))[0]).toBeLessThan(first);
-  const [start = 0, end = 0] = await shownSeconds(page);
+  const [start = 0, end = 0] = await settledSeconds(page);
   for (let n = 0; n < 4; n++) await page.keyboard.press('Shift+ArrowRight');
   await expect.poll(async () => (await shownSeconds(page))[1]).toBeGreaterThan(end);
   expect((await shownSeconds(page))[0]).toBe(start);
@@ -122,6 +122,17 @@ test('the overview is a brush for pointer and keys', async ({ app, page }) => {
   await page.mouse.dblclick(x(0.9), y);
   await expect.poll(async () => (await shownSeconds(page))[1]).toBe(length);
 });
+
+/** What is shown once every key that was pressed has been drawn. */
+async function settledSeconds(page: Page): Promise<number[]> {
+  let before: number[] = [];
+  await expect(async () => {
+    const last = before;
+    before = await shownSeconds(page);
+    expect(before).toEqual(last);
+  }).toPass();
+  return before;
+}
 
 test('rows fold, by pointer and by key, and stay so', async ({ app, page }) => {
   await app.openWith(...sampleFiles(sample));
