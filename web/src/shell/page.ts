@@ -17,10 +17,18 @@ import type { Places } from './layout';
 import { notices } from './toasts';
 import { topBar, type OpenClipPlace, type TopBarProps } from './top-bar';
 
+/** What a visitor meets first; the study is mounted in a task of its own, so that none lasts 50 ms. */
 export function mountPage(places: Places, context: Context, settings: StageSettings): void {
   wearTheTheme(context);
   mountTopBar(places, context);
   mountEmpty(places.empty, context);
+  mountNotices(places, context);
+  showWhatIsDue(places, context);
+  speakTheLanguage(context);
+  setTimeout(() => mountStudy(places, context, settings));
+}
+
+function mountStudy(places: Places, context: Context, settings: StageSettings): void {
   mountLibrary(places.library, context);
   mountInspector(places.inspector, context);
   const {
@@ -33,11 +41,8 @@ export function mountPage(places: Places, context: Context, settings: StageSetti
   mountTransport(places.transport, context);
   mountStrip(places.strip, context);
   mountTimeline(places.timeline, context);
-  mountNotices(places, context);
   mountHelp(places, context);
   mountSplitters(places, context);
-  showWhatIsDue(places, context);
-  speakTheLanguage(context);
 }
 
 function clipPlace({ store }: Context): OpenClipPlace | null {
