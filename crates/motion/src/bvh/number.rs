@@ -1,9 +1,11 @@
 //! Numbers: bytes of a row go in, the `f64` that `str::parse` makes of them comes out.
 
+mod even;
 mod order;
 mod short;
 mod wide;
 
+pub use even::{Even, EvenWord, MOST_DECIMALS as MOST_EVEN_DECIMALS};
 pub use short::{ShortWord, WINDOW, pair as short_pair};
 
 use super::error::{ErrorKind, ParseError, excerpt};

@@ -29,18 +29,39 @@ impl Marks {
     #[inline]
     pub fn of(block: &[u8; BLOCK]) -> Self {
         let mut marks = Self::default();
+        let (mut no_blanks, mut no_digits) = (0, 0);
+        let mut least_from_line_feed = u8x16::splat(u8::MAX);
         for (index, bytes) in block.as_chunks::<AT_ONCE>().0.iter().enumerate() {
             let bytes: u8x16 = cast(*bytes);
             let bits = |is: u8x16| u64::from(is.to_bitmask()) << (AT_ONCE * index);
-            let from = |first: u8| bytes - u8x16::splat(first);
-            marks.blanks |= bits(bytes.simd_le(u8x16::splat(b' ')));
-            marks.line_ends |= bits(from(b'\n').simd_lt(u8x16::splat(4)));
-            marks.digits |= bits(from(b'0').simd_lt(u8x16::splat(10)));
+            no_blanks |= bits(at_least(bytes, b' ' + 1));
+            no_digits |= bits(at_least(bytes - u8x16::splat(b'0'), 10));
             marks.points |= bits(bytes.simd_eq(u8x16::splat(b'.')));
             marks.minuses |= bits(bytes.simd_eq(u8x16::splat(b'-')));
+            least_from_line_feed = least_from_line_feed.min(bytes - u8x16::splat(b'\n'));
+        }
+        (marks.blanks, marks.digits) = (!no_blanks, !no_digits);
+        if !at_least(least_from_line_feed, 4).all() {
+            marks.line_ends = line_ends(block);
         }
         marks
     }
+}
+
+#[inline]
+fn line_ends(block: &[u8; BLOCK]) -> u64 {
+    let chunks = block.as_chunks::<AT_ONCE>().0.iter().rev();
+    !chunks.fold(0, |others, bytes| {
+        let from_line_feed = cast::<_, u8x16>(*bytes) - u8x16::splat(b'\n');
+        others << AT_ONCE | u64::from(at_least(from_line_feed, 4).to_bitmask())
+    })
+}
+
+/// Sets the highest bit of the bytes that are not below `least`, which is no more than 128; to
+/// compare takes more instructions.
+#[inline]
+fn at_least(bytes: u8x16, least: u8) -> u8x16 {
+    bytes.saturating_add(u8x16::splat(128 - least))
 }
 
 #[cfg(test)]

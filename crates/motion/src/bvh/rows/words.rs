@@ -2,7 +2,7 @@
 //! digits with or without a point, a minus before them or none.
 
 use super::marks::{BLOCK, Marks};
-use crate::bvh::number::ShortWord;
+use crate::bvh::number::{EvenWord, MOST_EVEN_DECIMALS, ShortWord};
 
 /// The words of a block, its first byte being the first of a word or a blank.
 #[derive(Clone, Copy, Debug)]
@@ -14,6 +14,8 @@ pub struct Words {
     points: u64,
     minuses: u64,
     line_ends: u64,
+    /// Where eight bytes of a word stand side by side.
+    eights: u64,
 }
 
 impl Words {
@@ -31,13 +33,16 @@ impl Words {
         // Added to the first byte of a word, what is no point carries up to the first point.
         let first_points = begins.wrapping_add(words & !points);
         let without_digit = begins.wrapping_add(words & !digits) & marks.blanks;
-        let odd = others | (points & !first_points) | without_digit | long(words);
+        let eights = eights(words);
+        let long = eights & eights >> 8;
+        let odd = others | (points & !first_points) | without_digit | long;
         (ends != 0 && odd == 0).then_some(Self {
             begins,
             ends,
             points,
             minuses: marks.minuses,
             line_ends: marks.line_ends & (last << 1 | 1),
+            eights,
         })
     }
 
@@ -45,6 +50,31 @@ impl Words {
     #[inline]
     pub fn count(&self) -> usize {
         self.ends.count_ones() as usize
+    }
+
+    /// The number of decimals, if it is the same of all words and they can be read as even ones:
+    /// with their points, of nine bytes at most.
+    #[inline]
+    pub fn even_decimals(&self) -> Option<usize> {
+        let first_end = self.ends.trailing_zeros();
+        let from_point = first_end.wrapping_sub(self.points.trailing_zeros());
+        let decimals = (from_point as usize).wrapping_sub(1);
+        let has_decimals = decimals.wrapping_sub(1) < MOST_EVEN_DECIMALS;
+        let is_even = self.points == self.ends >> (from_point & 63);
+        let is_long = self.eights & self.eights >> 2 != 0;
+        (has_decimals && is_even && !is_long).then_some(decimals)
+    }
+
+    /// Those that are no longer in `rest`, which some were taken off.
+    #[inline]
+    pub fn before(&self, rest: &Self) -> Self {
+        let ends = self.ends & !rest.ends;
+        let length = BLOCK as u32 - ends.leading_zeros();
+        Self {
+            ends,
+            line_ends: self.line_ends & (u64::MAX >> (BLOCK as u32 - length)),
+            ..*self
+        }
     }
 
     /// Bytes up to the blank behind the last one, with it.
@@ -63,6 +93,19 @@ impl Words {
             ends &= !gone_over;
             line_ends &= !gone_over;
             Some((count as usize, end as usize))
+        })
+    }
+
+    /// Takes the first eight off, all being even; those after the last one are without meaning.
+    #[inline]
+    pub fn take_eight(&mut self) -> [EvenWord; 8] {
+        let mut start = 0;
+        [(); 8].map(|()| {
+            let end = self.ends.trailing_zeros() as usize;
+            self.ends &= self.ends.wrapping_sub(1);
+            let length = end.wrapping_sub(start);
+            start = end + 1;
+            EvenWord { end, length }
         })
     }
 
@@ -85,12 +128,11 @@ impl Words {
     }
 }
 
-/// Whether 16 bytes stand side by side: a bit where they begin.
-fn long(words: u64) -> u64 {
+/// Where eight bytes stand side by side: a bit where they begin.
+fn eights(words: u64) -> u64 {
     let pairs = words & words >> 1;
     let fours = pairs & pairs >> 2;
-    let eights = fours & fours >> 4;
-    eights & eights >> 8
+    fours & fours >> 4
 }
 
 #[cfg(test)]
@@ -154,5 +196,26 @@ mod tests {
     fn lines_end_with_their_words() {
         let found = words("1 2\n\r 3 \n4").expect("numbers");
         assert_eq!(found.lines().collect::<Vec<_>>(), [(2, 3), (0, 4), (1, 8)]);
+    }
+
+    #[test]
+    fn words_are_even_where_their_points_stand_as_far_from_their_ends() {
+        let decimals = |text| words(text).and_then(|words| words.even_decimals());
+        assert_eq!(decimals("1.25 -7.50  .00 123456.78"), Some(2));
+        assert_eq!(decimals("1.2345678 "), Some(7));
+        for text in [
+            "1 2",
+            "1. 2.",
+            "1.25 7.5",
+            "1.25 7",
+            "1.2.4 6",
+            "1.25 7.500",
+            "12345678 1.2",
+            "123456789.5",
+            "-12345678.5",
+            "1.23456789",
+        ] {
+            assert_eq!(decimals(text), None, "{text}");
+        }
     }
 }
