@@ -103,11 +103,11 @@ impl Head {
 
     /// Bytes kept and those of the line so far.
     fn length(&self) -> usize {
-        self.kept_bytes + self.lines.line().text.len()
+        self.kept_bytes + self.lines.text().len()
     }
 
     fn limit(&self) -> usize {
-        match self.is_bvh || is_beginning(&self.lines.line().text) {
+        match self.is_bvh || is_beginning(self.lines.text()) {
             true => self.limits.hierarchy_bytes,
             false => BEGINNING.min(self.limits.hierarchy_bytes),
         }
@@ -133,16 +133,22 @@ impl Head {
         if !self.has_hierarchy {
             return self.hierarchy_line(line);
         }
-        match begins_with_no_number(&line.text) {
-            true => self.first_row = line.text,
+        let text = self.text(&line);
+        match begins_with_no_number(text) {
+            true => self.first_row = text.to_vec(),
             false => self.header_line(&line),
         }
         Ok(())
     }
 
+    fn text(&self, line: &Line) -> &[u8] {
+        &self.lines.texts()[line.text.clone()]
+    }
+
     fn hierarchy_line(&mut self, mut line: Line) -> Result<(), ParseError> {
-        let braces = closing_braces(&line.text);
-        if !header::begins(&line.text[braces..]) {
+        let text = self.text(&line);
+        let braces = closing_braces(text);
+        if !header::begins(&text[braces..]) {
             return self.keep(line);
         }
         let rest = line.split_off(braces);
@@ -153,11 +159,12 @@ impl Head {
     }
 
     fn keep(&mut self, line: Line) -> Result<(), ParseError> {
-        let Some(first) = line.text.first() else {
+        let text = self.text(&line);
+        let Some(first) = text.first() else {
             return Ok(());
         };
         let is_number = begins_number(*first);
-        self.is_bvh |= is_beginning(&line.text);
+        self.is_bvh = self.is_bvh || is_beginning(text);
         self.kept_bytes += line.text.len();
         self.kept.push(line);
         match is_number && !self.is_bvh {
@@ -167,8 +174,9 @@ impl Head {
     }
 
     fn header_line(&mut self, line: &Line) {
-        let text = self.encoding.decode(&line.text);
+        let text = self.encoding.decode(&self.lines.texts()[line.text.clone()]);
         self.header.line(&text, line.place(), &mut self.notes);
+        self.lines.forget(line);
     }
 
     /// Whether a line that begins so is a row: after the header, or after the last brace where
@@ -176,9 +184,9 @@ impl Head {
     fn is_row_start(&self, byte: u8) -> bool {
         let is_after_brace = || {
             let last = self.kept.last();
-            last.is_some_and(|line| line.text.trim_ascii_end().ends_with(b"}"))
+            last.is_some_and(|line| self.text(line).trim_ascii_end().ends_with(b"}"))
         };
-        self.lines.line().text.is_empty()
+        self.lines.text().is_empty()
             && begins_number(byte)
             && (self.has_hierarchy || (self.is_bvh && is_after_brace()))
     }
@@ -199,13 +207,11 @@ impl Head {
             return Err(self.not_bvh());
         }
         let kept = core::mem::take(&mut self.kept);
-        self.encoding = Encoding::of(kept.iter().map(|line| line.text.as_slice()));
-        let encoding = self.encoding;
-        let texts: Vec<_> = kept
-            .iter()
-            .map(|line| encoding.decode(&line.text))
-            .collect();
-        let lines = kept.iter().zip(&texts);
+        let length = kept.last().map_or(0, |line| line.text.end);
+        let texts = &self.lines.texts()[..length];
+        self.encoding = Encoding::of(texts);
+        let texts = self.encoding.decode(texts);
+        let lines = kept.iter().zip(texts.split('\n'));
         let lines = lines.map(|(line, text)| Cursor::new(text, line.place()));
         self.hierarchy = hierarchy::read(lines, end, &self.limits, &mut self.notes)?;
         self.has_hierarchy = true;
@@ -213,8 +219,9 @@ impl Head {
     }
 
     fn not_bvh(&self) -> ParseError {
-        let line = self.kept.first().unwrap_or(self.lines.line());
-        let text = String::from_utf8_lossy(&line.text);
+        let line = self.kept.first().cloned();
+        let line = line.unwrap_or_else(|| self.lines.line());
+        let text = String::from_utf8_lossy(self.text(&line));
         ParseError::new(ErrorKind::NotBvh, line.place(), vec![excerpt(&text)])
     }
 }

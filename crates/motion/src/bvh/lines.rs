@@ -1,16 +1,18 @@
 //! Lines: slices cut anywhere go in, one whole line after the other comes out, with its place.
 
+use core::ops::Range;
+
 use super::place::{Place, is_blank};
 
-/// A line without its indent.
+/// Where a line begins, and its text, without its indent, among those of all lines.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
     /// The number, from 1.
     pub number: usize,
     /// White space before the text, in characters.
     pub indent: usize,
-    /// The text as bytes of the file.
-    pub text: Vec<u8>,
+    /// The bytes of the text in [`Lines::texts`].
+    pub text: Range<usize>,
 }
 
 impl Line {
@@ -24,43 +26,67 @@ impl Line {
 
     /// Splits off what begins at a byte of the text, all before being ASCII.
     pub fn split_off(&mut self, at: usize) -> Line {
+        let start = self.text.start + at;
         Line {
             number: self.number,
             indent: self.indent + at,
-            text: self.text.split_off(at),
+            text: start..core::mem::replace(&mut self.text.end, start),
         }
     }
 }
 
-/// Puts lines together.
+/// Puts lines together, the text of one behind that of the other: memory of its own for each would
+/// take longer than all else.
 #[derive(Debug)]
 pub struct Lines {
-    line: Line,
+    texts: Vec<u8>,
+    /// Where the text of the line that is read begins.
+    start: usize,
+    number: usize,
+    indent: usize,
     after_return: bool,
 }
 
 impl Lines {
     /// Before the first line.
     pub fn new() -> Self {
-        let line = Line {
+        Self {
+            texts: Vec::new(),
+            start: 0,
             number: 1,
             indent: 0,
-            text: Vec::new(),
-        };
-        Self {
-            line,
             after_return: false,
         }
     }
 
     /// The line so far.
-    pub fn line(&self) -> &Line {
-        &self.line
+    pub fn line(&self) -> Line {
+        Line {
+            number: self.number,
+            indent: self.indent,
+            text: self.start..self.texts.len(),
+        }
+    }
+
+    /// The text of the line so far.
+    pub fn text(&self) -> &[u8] {
+        &self.texts[self.start..]
+    }
+
+    /// The texts of all lines, as bytes of the file, with a line feed between each two.
+    pub fn texts(&self) -> &[u8] {
+        &self.texts
+    }
+
+    /// Forgets the texts from that of a line on.
+    pub fn forget(&mut self, line: &Line) {
+        self.texts.truncate(line.text.start);
+        self.start = self.texts.len();
     }
 
     /// Goes over blank lines and the indent of the next text; returns the bytes gone over.
     pub fn skip_blank(&mut self, bytes: &[u8]) -> usize {
-        if !self.line.text.is_empty() {
+        if !self.text().is_empty() {
             return 0;
         }
         let blank = bytes.iter().take_while(|byte| is_blank(**byte)).count();
@@ -77,24 +103,26 @@ impl Lines {
         let end = near.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
         let taken = end.unwrap_or(near.len());
         self.after_return &= taken == 0;
-        self.line.text.extend_from_slice(&near[..taken]);
+        self.texts.extend_from_slice(&near[..taken]);
         (taken, end.map(|_| self.end()))
     }
 
-    /// The line as it is when its end, or that of the file, comes.
+    /// The line when its end, or that of the file, comes.
     pub fn end(&mut self) -> Line {
-        let text = core::mem::take(&mut self.line.text);
-        Line { text, ..self.line }
+        let line = self.line();
+        self.texts.push(b'\n');
+        self.start = self.texts.len();
+        line
     }
 
     fn go_over(&mut self, byte: u8) {
         match byte {
-            b'\n' if self.after_return => self.line.indent = 0,
+            b'\n' if self.after_return => self.indent = 0,
             b'\n' | b'\r' => {
-                self.line.number += 1;
-                self.line.indent = 0;
+                self.number += 1;
+                self.indent = 0;
             }
-            _ => self.line.indent += 1,
+            _ => self.indent += 1,
         }
         self.after_return = byte == b'\r';
     }
@@ -118,11 +146,8 @@ mod tests {
         }
         found.push(lines.end());
         let shown = |line: Line| {
-            (
-                line.number,
-                line.indent,
-                String::from_utf8(line.text).unwrap(),
-            )
+            let text = lines.texts()[line.text].to_vec();
+            (line.number, line.indent, String::from_utf8(text).unwrap())
         };
         found.into_iter().map(shown).collect()
     }
@@ -139,5 +164,19 @@ mod tests {
                 .collect();
             assert_eq!(found, expected, "slices of {slice}");
         }
+    }
+
+    #[test]
+    fn a_line_is_split_and_forgotten() {
+        let mut lines = Lines::new();
+        lines.take(b"first\n", usize::MAX);
+        lines.skip_blank(b"\n ");
+        let mut line = lines.take(b"} second\n", usize::MAX).1.expect("a line");
+        let rest = line.split_off(2);
+        assert_eq!(&lines.texts()[line.text], b"} ");
+        assert_eq!(&lines.texts()[rest.text.clone()], b"second");
+        assert_eq!(rest.place(), Place { line: 2, column: 4 });
+        lines.forget(&rest);
+        assert_eq!((lines.texts(), lines.text()), (&b"first\n} "[..], &b""[..]));
     }
 }

@@ -21,13 +21,13 @@ pub enum Encoding {
 }
 
 impl Encoding {
-    /// The encoding in which all `texts` make sense.
-    pub fn of<'a>(texts: impl Iterator<Item = &'a [u8]> + Clone) -> Self {
-        if texts.clone().all(|text| core::str::from_utf8(text).is_ok()) {
+    /// The encoding in which a text makes sense.
+    pub fn of(text: &[u8]) -> Self {
+        if core::str::from_utf8(text).is_ok() {
             return Encoding::Utf8;
         }
         let mut is_japanese = false;
-        for character in texts.flat_map(shift_jis::characters) {
+        for character in shift_jis::characters(text) {
             match character {
                 Some(character) => is_japanese |= is_kana_or_kanji(character),
                 None => return Encoding::Windows1252,
@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     fn of(text: &[u8]) -> Encoding {
-        Encoding::of([&b"ROOT hip"[..], text].into_iter())
+        Encoding::of(&[b"ROOT hip\n", text].concat())
     }
 
     #[test]

@@ -6,27 +6,27 @@ use crate::skeleton::{Axis, Channel};
 
 /// A CHANNELS line, which may go on in the next ones.
 #[derive(Clone, Debug)]
-pub struct Channels {
+pub struct Channels<'t> {
     /// The place of the keyword.
     pub place: Place,
     /// The joint that the channels belong to.
     pub joint: usize,
     /// The count as the file says it.
-    pub said: String,
+    pub said: &'t str,
     /// The channels found so far.
     pub found: usize,
     count: Option<usize>,
 }
 
-impl Channels {
+impl<'t> Channels<'t> {
     /// Begins after the keyword; returns where the names begin.
-    pub fn begin<'t>(joint: usize, place: Place, after: Cursor<'t>) -> (Self, Cursor<'t>) {
+    pub fn begin(joint: usize, place: Place, after: Cursor<'t>) -> (Self, Cursor<'t>) {
         let (said, names) = after.word();
         let count = said.parse().ok();
         let channels = Self {
             place,
             joint,
-            said: if count.is_some() { said } else { "nothing" }.to_owned(),
+            said: if count.is_some() { said } else { "nothing" },
             found: 0,
             count,
         };
@@ -36,7 +36,7 @@ impl Channels {
     /// Takes the next word, if it is the name of a channel of this joint. What is neither a
     /// position nor a rotation counts only on the line of the keyword and while the count that
     /// the file says is not reached.
-    pub fn take<'t>(&mut self, at: Cursor<'t>) -> Option<(Channel, Cursor<'t>)> {
+    pub fn take(&mut self, at: Cursor<'t>) -> Option<(Channel, Cursor<'t>)> {
         let (word, after) = at.word();
         let channel = channel(word);
         let is_missing = self.count.is_some_and(|count| self.found < count);

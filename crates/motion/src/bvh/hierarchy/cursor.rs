@@ -49,7 +49,7 @@ impl<'a> Cursor<'a> {
 
     /// Whether a brace comes next.
     pub fn is_at_brace(self) -> bool {
-        self.rest.starts_with(['{', '}'])
+        matches!(self.rest.as_bytes().first(), Some(b'{' | b'}'))
     }
 
     /// The next word and what follows it; a word ends at white space or a brace.
@@ -60,6 +60,9 @@ impl<'a> Cursor<'a> {
 
     /// The name that fills the line, up to a brace that stands alone or at the end of the line.
     pub fn name(self) -> (&'a str, Self) {
+        if !self.rest.as_bytes().contains(&b'{') {
+            return (self.rest.trim_end(), self.at_end());
+        }
         let opens_alone = |(at, _): &(usize, &str)| {
             let before = self.rest[..*at].chars().next_back();
             before.is_none_or(char::is_whitespace)

@@ -48,9 +48,9 @@ enum Block {
 }
 
 #[derive(Debug)]
-struct Builder<'a> {
-    limits: &'a Limits,
-    notes: &'a mut Notes,
+struct Builder<'n, 't> {
+    limits: &'n Limits,
+    notes: &'n mut Notes,
     skeletons: Skeletons,
     mark: Option<Mark>,
     hierarchies: usize,
@@ -58,13 +58,13 @@ struct Builder<'a> {
     blocks: Vec<Block>,
     /// What was declared and waits for its brace.
     declared: Option<Block>,
-    channels: Option<Channels>,
+    channels: Option<Channels<'t>>,
 }
 
 type Step<'t> = Result<Cursor<'t>, ParseError>;
 
-impl<'a> Builder<'a> {
-    fn new(limits: &'a Limits, notes: &'a mut Notes) -> Self {
+impl<'n, 't> Builder<'n, 't> {
+    fn new(limits: &'n Limits, notes: &'n mut Notes) -> Self {
         Self {
             limits,
             notes,
@@ -78,7 +78,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn line(&mut self, mut at: Cursor<'_>) -> Result<(), ParseError> {
+    fn line(&mut self, mut at: Cursor<'t>) -> Result<(), ParseError> {
         while !at.rest.is_empty() {
             at = self.item(at)?;
         }
@@ -86,7 +86,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Reads a brace, a channel, or a keyword with what belongs to it.
-    fn item<'t>(&mut self, at: Cursor<'t>) -> Step<'t> {
+    fn item(&mut self, at: Cursor<'t>) -> Step<'t> {
         if let Some(after) = self.channel(at) {
             return Ok(after);
         }
@@ -102,7 +102,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn keyword<'t>(&mut self, at: Cursor<'t>) -> Step<'t> {
+    fn keyword(&mut self, at: Cursor<'t>) -> Step<'t> {
         let (keyword, after) = at.word();
         let is = |known: &str| keyword.eq_ignore_ascii_case(known);
         if is("offset") {
@@ -125,7 +125,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Notes a line that is not understood; a brace in it opens a block of its own.
-    fn unknown<'t>(&mut self, at: Cursor<'t>) -> Cursor<'t> {
+    fn unknown(&mut self, at: Cursor<'t>) -> Cursor<'t> {
         self.notes
             .add(NoteKind::UnknownLine, at.place(), vec![excerpt(at.rest)]);
         let after = at.name().1;
@@ -147,7 +147,7 @@ impl<'a> Builder<'a> {
         ))
     }
 
-    fn close<'t>(&mut self, at: Cursor<'t>) -> Cursor<'t> {
+    fn close(&mut self, at: Cursor<'t>) -> Cursor<'t> {
         if self.blocks.pop().is_none() {
             self.notes
                 .add(NoteKind::UnknownLine, at.place(), vec!["}".to_owned()]);
@@ -163,7 +163,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn hierarchy<'t>(&mut self, at: Cursor<'t>, after: Cursor<'t>) -> Cursor<'t> {
+    fn hierarchy(&mut self, at: Cursor<'t>, after: Cursor<'t>) -> Cursor<'t> {
         self.hierarchies += 1;
         if self.skeletons.count() > 0 {
             self.close_all(at, "HIERARCHY");
@@ -173,7 +173,7 @@ impl<'a> Builder<'a> {
         after
     }
 
-    fn root<'t>(&mut self, at: Cursor<'t>, after: Cursor<'t>) -> Step<'t> {
+    fn root(&mut self, at: Cursor<'t>, after: Cursor<'t>) -> Step<'t> {
         self.close_all(at, "ROOT");
         self.skeletons.end(self.notes);
         if self.hierarchies == 0 && self.skeletons.count() == 0 {
@@ -186,7 +186,7 @@ impl<'a> Builder<'a> {
         self.add_joint(at, after, None, false)
     }
 
-    fn joint<'t>(&mut self, at: Cursor<'t>, after: Cursor<'t>, is_end_site: bool) -> Step<'t> {
+    fn joint(&mut self, at: Cursor<'t>, after: Cursor<'t>, is_end_site: bool) -> Step<'t> {
         let parent = self.blocks.iter().rev().find_map(|block| match block {
             Block::Joint(joint) => Some(*joint),
             Block::Unknown => None,
@@ -202,7 +202,7 @@ impl<'a> Builder<'a> {
         self.add_joint(at, after, parent, is_end_site)
     }
 
-    fn add_joint<'t>(
+    fn add_joint(
         &mut self,
         at: Cursor<'t>,
         after: Cursor<'t>,
@@ -229,7 +229,7 @@ impl<'a> Builder<'a> {
         Ok(rest)
     }
 
-    fn offset<'t>(&mut self, at: Cursor<'t>, after: Cursor<'t>) -> Step<'t> {
+    fn offset(&mut self, at: Cursor<'t>, after: Cursor<'t>) -> Step<'t> {
         let Some(Block::Joint(joint)) = self.blocks.last().copied() else {
             return Ok(self.unknown(at));
         };
@@ -244,16 +244,22 @@ impl<'a> Builder<'a> {
                     details,
                 ));
             }
-            offset[component] = self.offset_number(joint, rest)?;
-            rest = rest.word().1;
+            let (word, after) = rest.word();
+            offset[component] = self.offset_number(joint, word, rest)?;
+            rest = after;
         }
         self.skeletons.set_offset(joint, offset);
         Ok(rest)
     }
 
-    fn offset_number(&mut self, joint: usize, at: Cursor<'_>) -> Result<f64, ParseError> {
-        let word = at.word().0;
-        self.check_mark(at)?;
+    /// Reads a word of an OFFSET, which stands at a cursor.
+    fn offset_number(
+        &mut self,
+        joint: usize,
+        word: &str,
+        at: Cursor<'_>,
+    ) -> Result<f64, ParseError> {
+        self.check_mark(word, at)?;
         match number::word(word.as_bytes()) {
             Word::Number(number) => Ok(number),
             Word::NotANumber => {
@@ -269,8 +275,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn check_mark(&mut self, at: Cursor<'_>) -> Result<(), ParseError> {
-        let word = at.word().0;
+    fn check_mark(&mut self, word: &str, at: Cursor<'_>) -> Result<(), ParseError> {
         let Some(mark) = number::mark(word.as_bytes()) else {
             return Ok(());
         };
@@ -285,7 +290,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn begin_channels<'t>(&mut self, at: Cursor<'t>, after: Cursor<'t>) -> Cursor<'t> {
+    fn begin_channels(&mut self, at: Cursor<'t>, after: Cursor<'t>) -> Cursor<'t> {
         let Some(Block::Joint(joint)) = self.blocks.last().copied() else {
             return self.unknown(at);
         };
@@ -298,7 +303,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Takes a channel, or ends the channels at what is none.
-    fn channel<'t>(&mut self, at: Cursor<'t>) -> Option<Cursor<'t>> {
+    fn channel(&mut self, at: Cursor<'t>) -> Option<Cursor<'t>> {
         let channels = self.channels.as_mut()?;
         let joint = channels.joint;
         let Some((channel, after)) = channels.take(at) else {
@@ -320,7 +325,7 @@ impl<'a> Builder<'a> {
             return;
         };
         let called = self.skeletons.called(channels.joint);
-        let details = vec![called, channels.said, channels.found.to_string()];
+        let details = vec![called, channels.said.to_owned(), channels.found.to_string()];
         self.notes
             .add(NoteKind::ChannelCount, channels.place, details);
     }

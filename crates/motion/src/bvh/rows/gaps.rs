@@ -99,15 +99,15 @@ impl Gaps {
 
 /// What the channels are without motion: the OFFSET for a position, else zero; one value for each column.
 pub fn without_motion(skeletons: &[Skeleton]) -> Vec<f64> {
-    let joints = skeletons.iter().flat_map(|skeleton| &skeleton.joints);
-    let channels =
-        joints.flat_map(|joint| joint.channels.iter().map(move |channel| (joint, channel)));
-    channels
-        .map(|(joint, channel)| match channel {
+    let width = skeletons.iter().map(Skeleton::channel_count).sum();
+    let mut values = Vec::with_capacity(width);
+    for joint in skeletons.iter().flat_map(|skeleton| &skeleton.joints) {
+        values.extend(joint.channels.iter().map(|channel| match channel {
             Channel::Position(axis) => joint.offset[axis.index()],
             _ => 0.0,
-        })
-        .collect()
+        }));
+    }
+    values
 }
 
 #[cfg(test)]
