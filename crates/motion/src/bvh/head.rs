@@ -1,5 +1,7 @@
 //! All before the rows: lines go in; the skeletons and what the motion's header says come out.
 
+use std::borrow::Cow;
+
 use super::Limits;
 use super::encoding::Encoding;
 use super::error::{ErrorKind, ParseError, excerpt};
@@ -13,6 +15,9 @@ use crate::note::NoteKind;
 
 /// Bytes within which a file shows that it is BVH.
 const BEGINNING: usize = 64 << 10;
+
+/// Lines of a usual hierarchy.
+const USUAL_LINES: usize = 256;
 
 /// Reads the hierarchy and the header of the motion.
 #[derive(Debug)]
@@ -42,7 +47,7 @@ impl Head {
         Self {
             limits,
             lines: Lines::new(),
-            kept: Vec::new(),
+            kept: Vec::with_capacity(USUAL_LINES),
             kept_bytes: 0,
             is_bvh: false,
             has_hierarchy: false,
@@ -206,13 +211,17 @@ impl Head {
         if !self.is_bvh {
             return Err(self.not_bvh());
         }
-        let kept = core::mem::take(&mut self.kept);
+        let mut kept = core::mem::take(&mut self.kept);
         let length = kept.last().map_or(0, |line| line.text.end);
         let texts = &self.lines.texts()[..length];
         self.encoding = Encoding::of(texts);
         let texts = self.encoding.decode(texts);
-        let lines = kept.iter().zip(texts.split('\n'));
-        let lines = lines.map(|(line, text)| Cursor::new(text, line.place()));
+        if let Cow::Owned(decoded) = &texts {
+            set_texts(&mut kept, decoded);
+        }
+        let lines = kept
+            .iter()
+            .map(|line| Cursor::new(&texts[line.text.clone()], line.place()));
         self.hierarchy = hierarchy::read(lines, end, &self.limits, &mut self.notes)?;
         self.has_hierarchy = true;
         Ok(())
@@ -223,6 +232,15 @@ impl Head {
         let line = line.unwrap_or_else(|| self.lines.line());
         let text = String::from_utf8_lossy(self.text(&line));
         ParseError::new(ErrorKind::NotBvh, line.place(), vec![excerpt(&text)])
+    }
+}
+
+/// Tells lines where their texts are among those decoded.
+fn set_texts(lines: &mut [Line], decoded: &str) {
+    let mut start = 0;
+    for (line, text) in lines.iter_mut().zip(decoded.split('\n')) {
+        line.text = start..start + text.len();
+        start = line.text.end + 1;
     }
 }
 

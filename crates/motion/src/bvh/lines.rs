@@ -4,6 +4,9 @@ use core::ops::Range;
 
 use super::place::{Place, is_blank};
 
+/// Bytes of the texts of a usual hierarchy.
+const USUAL_BYTES: usize = 8 << 10;
+
 /// Where a line begins, and its text, without its indent, among those of all lines.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
@@ -51,7 +54,7 @@ impl Lines {
     /// Before the first line.
     pub fn new() -> Self {
         Self {
-            texts: Vec::new(),
+            texts: Vec::with_capacity(USUAL_BYTES),
             start: 0,
             number: 1,
             indent: 0,

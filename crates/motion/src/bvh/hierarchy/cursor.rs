@@ -102,10 +102,21 @@ impl<'a> Cursor<'a> {
     }
 }
 
+/// By byte: white space, braces and all that is not ASCII.
+static MAY_END_A_WORD: [bool; 256] = {
+    let mut may_end = [false; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        may_end[byte] = matches!(byte as u8, b'\t'..=b'\r' | b' ' | b'{' | b'}' | 0x80..);
+        byte += 1;
+    }
+    may_end
+};
+
 /// Where the first word of a text ends.
 fn word_end(text: &str) -> usize {
     let mut bytes = text.bytes();
-    let end = bytes.position(|byte| matches!(byte, b'\t'..=b'\r' | b' ' | b'{' | b'}' | 0x80..));
+    let end = bytes.position(|byte| MAY_END_A_WORD[usize::from(byte)]);
     match end {
         // White space of several bytes ends a word too, other characters of several bytes do not.
         Some(end) if !text.as_bytes()[end].is_ascii() => {

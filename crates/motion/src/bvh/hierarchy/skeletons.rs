@@ -7,6 +7,9 @@ use crate::bvh::place::Place;
 use crate::note::NoteKind;
 use crate::skeleton::{Channel, Joint, Skeleton};
 
+/// Joints and End Sites of a usual skeleton.
+const USUAL_JOINTS: usize = 64;
+
 /// The skeletons of all ROOTs, the last of which is being built.
 #[derive(Debug, Default)]
 pub struct Skeletons {
@@ -31,6 +34,10 @@ impl Skeletons {
     /// Adds a joint and returns its index; the parent is one that was added.
     pub fn add(&mut self, name: String, parent: Option<usize>, is_end: bool, at: Place) -> usize {
         self.joint_count += 1;
+        if self.joints.is_empty() {
+            self.joints.reserve(USUAL_JOINTS);
+            self.begun.reserve(USUAL_JOINTS);
+        }
         self.begun.push((at, false));
         self.joints.push(Joint {
             name,
