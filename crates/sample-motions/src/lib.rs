@@ -30,8 +30,10 @@ mod run;
 mod run_swing;
 mod sample;
 mod take;
+mod variation;
 mod walk;
 
 pub use catalogue::{Entry, catalogue};
 pub use rig::Rig;
 pub use sample::{Mark, Motion, Rate, Sample, bvh, true_keyposes};
+pub use variation::Variation;

@@ -3,7 +3,7 @@
 use crate::arm::Arm;
 use crate::body::{Limb, Segment, Side, hip_from_middle};
 use crate::leg_ik;
-use crate::rotation::{Rotation, about_x, about_y, about_z};
+use crate::rotation::{Rotation, about_x, about_y, about_z, slerp};
 use nalgebra::Vector3;
 
 /// A bend of the trunk or of the head, in radians: forward, to the right, to the left about the length.
@@ -80,7 +80,39 @@ impl Posture {
             Segment::Limb(side, limb) => self.limbs[side as usize][limb as usize],
         }
     }
+
+    /// The posture with arms and trunk at these shares of their turns from a still posture; above 1 they go
+    /// farther. Pelvis and legs stay, so that the feet do.
+    pub fn farther(&self, still: &Self, arms: f64, trunk: f64) -> Self {
+        let mut posture = *self;
+        let [pelvis, still_pelvis] = [self.trunk[0], still.trunk[0]];
+        for (part, bent) in posture.trunk.iter_mut().enumerate().skip(1) {
+            let from = still_pelvis.inverse() * still.trunk[part];
+            let to = pelvis.inverse() * self.trunk[part];
+            *bent = pelvis * slerp(&from, &to, trunk);
+        }
+        let [thorax, still_thorax] = [self.trunk[THORAX], still.trunk[THORAX]];
+        for side in Side::BOTH.map(|side| side as usize) {
+            for limb in ARM.map(|limb| limb as usize) {
+                let from = still_thorax.inverse() * still.limbs[side][limb];
+                let to = thorax.inverse() * self.limbs[side][limb];
+                posture.limbs[side][limb] = posture.trunk[THORAX] * slerp(&from, &to, arms);
+            }
+        }
+        posture
+    }
 }
+
+/// Place of the thorax in the trunk.
+const THORAX: usize = 3;
+/// What hangs from the thorax.
+const ARM: [Limb; 5] = [
+    Limb::Clavicle,
+    Limb::UpperArm,
+    Limb::Forearm,
+    Limb::Hand,
+    Limb::Fingers,
+];
 
 /// Fingers of a hand at rest are bent this much.
 const FINGER_CURL: f64 = 0.25;

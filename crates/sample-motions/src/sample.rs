@@ -34,7 +34,12 @@ impl Motion {
         }
     }
 
-    fn take(self) -> Box<dyn Take> {
+    /// Its length.
+    pub(crate) fn duration_s(self) -> f64 {
+        self.take().duration_s()
+    }
+
+    pub(crate) fn take(self) -> Box<dyn Take> {
         match self {
             Self::SlowDance => Box::new(Dance::slow()),
             Self::TiredDance => Box::new(Dance::tired()),
