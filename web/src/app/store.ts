@@ -13,6 +13,7 @@ import type {
 import type { LoopRange } from '../player/clock';
 import { nearestIndex } from '../player/neighbours';
 import { keyposeFrames, newClip, type Clip } from './clips';
+import { createCompareStore, type CompareStore } from './compare-store';
 import { qualifiers } from './names';
 import { filterClips, sortClips, type Sort } from './order';
 
@@ -83,6 +84,7 @@ export interface Store {
   readonly picture: Signal<(() => Promise<Blob>) | null>;
   readonly helpOpen: Signal<boolean>;
   readonly dropping: Signal<boolean>;
+  readonly compare: CompareStore;
   /** The clips that are not removed, in order of arrival. */
   readonly present: ReadonlySignal<readonly Clip[]>;
   /** The rows of the library. */
@@ -128,6 +130,7 @@ function writtenState() {
     picture: signal<(() => Promise<Blob>) | null>(null),
     helpOpen: signal(false),
     dropping: signal(false),
+    compare: createCompareStore(),
   };
 }
 

@@ -1,0 +1,16 @@
+//! Comparing motions: the features of a set of clips in; distances, a tree, its cuts, a map, scores
+//! against labels and reasons out.
+//!
+//! One way through, nothing pointing backwards:
+//!
+//! ```text
+//! features ─▶ distance ─▶ condensed matrix ─▶ linkage ─▶ dendrogram ─▶ leaf order, cut
+//!                │               ├─▶ map
+//!                ▼               └─▶ neighbours ─▶ evaluation (with labels)
+//!           explanation                postures of two clips ─▶ warping
+//! ```
+//!
+//! The crate knows no clip, no file and no clock; every number is an `f64`, and the same input gives
+//! the same bits on every platform.
+
+pub mod feature;
