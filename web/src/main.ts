@@ -1,6 +1,7 @@
 /** Where the page begins: state, engine and views are made here and handed to each other. */
 import './styles/index.css';
 import { createActions } from './app/actions';
+import { createCompareActions } from './app/compare-actions';
 import type { Context } from './app/context';
 import { learnDefaults } from './app/defaults';
 import { createFullScreen } from './app/full-screen';
@@ -12,6 +13,8 @@ import { createStore } from './app/store';
 import { createTheme } from './app/theme';
 import { installIcons } from './common/icons';
 import { createBrowserEngine } from './engine/browser-engine';
+import { createBrowserComparer } from './engine/comparer';
+import type { ClipId } from './engine/types';
 import { followOpenClip } from './player/follow-clip';
 import { listenToKeys } from './player/keys';
 import { createPlayback } from './player/playback';
@@ -30,13 +33,18 @@ function createContext(): Context {
   const store = createStore();
   const history = createHistory();
   const engine = createBrowserEngine(location.search);
-  const actions = createActions({ engine, store, history, words: () => language.words.peek() });
+  const comparer = createBrowserComparer(engine);
+  const words = () => language.words.peek();
+  const actions = createActions({ engine, store, history, words });
+  const openClip = (id: ClipId | null): void => actions.openClip(id);
   return {
     engine,
+    comparer,
     store,
     history,
     playback: createPlayback(store),
     actions,
+    compareActions: createCompareActions({ store, history, comparer, words, openClip }),
     language,
     theme: createTheme(preferences, matchMedia('(prefers-color-scheme: dark)')),
     panels: createPanels(preferences, (query) => matchMedia(query)),

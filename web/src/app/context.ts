@@ -1,7 +1,9 @@
 /** Everything that the wiring of the page hands around: the state and those who may change it. */
+import type { Comparer } from '../engine/comparison-types';
 import type { Engine } from '../engine/types';
 import type { Playback } from '../player/playback';
 import type { Actions } from './actions';
+import type { CompareActions } from './compare-actions';
 import type { FullScreen } from './full-screen';
 import type { History } from './history';
 import type { LanguageState } from './language';
@@ -12,10 +14,13 @@ import type { ThemeState } from './theme';
 
 export interface Context {
   readonly engine: Engine;
+  /** Pictures of the matrix and warpings; the rest of what it finds stands in the store. */
+  readonly comparer: Comparer;
   readonly store: Store;
   readonly history: History;
   readonly playback: Playback;
   readonly actions: Actions;
+  readonly compareActions: CompareActions;
   readonly language: LanguageState;
   readonly theme: ThemeState;
   readonly panels: Panels;

@@ -227,6 +227,8 @@ export const en = {
   'change.scale-ratio': 'ratio of the scales',
   'change.selection': 'selection',
   'change.unit': 'unit',
+  'change.label': 'label',
+  'change.labels': 'labels',
 
   'help.title': 'Keyboard shortcuts',
   'help.close': 'Close',

@@ -216,6 +216,8 @@ export const ja: Catalogue = {
   'change.scale-ratio': 'スケールの比',
   'change.selection': '選び方',
   'change.unit': '単位',
+  'change.label': 'ラベル',
+  'change.labels': 'ラベル付け',
 
   'help.title': 'キーボード操作',
   'help.close': '閉じる',
