@@ -1,8 +1,10 @@
 /** Every sentence of the page in English. `{0}`, `{1}` … are filled; two forms go by the first number. */
 import { englishInspector } from './en-inspector';
+import { englishMatrix } from './en-matrix';
 
 export const en = {
   ...englishInspector,
+  ...englishMatrix,
   'language.other': '日本語',
   'unit.seconds': '{0} s',
   'unit.hertz': '{0} Hz',

@@ -1,9 +1,11 @@
 /** Every sentence of the page in Japanese; the keys are those of `en`. */
 import type { Catalogue } from './catalogue';
 import { japaneseInspector } from './ja-inspector';
+import { japaneseMatrix } from './ja-matrix';
 
 export const ja: Catalogue = {
   ...japaneseInspector,
+  ...japaneseMatrix,
   'language.other': 'English',
   'unit.seconds': '{0} s',
   'unit.hertz': '{0} Hz',
