@@ -1,7 +1,7 @@
 /** In: a stage's properties and frames. Out: pictures on a canvas, one when something changed, else none. */
 import { WebGLRenderer } from 'three';
 import { CameraRig } from './camera-rig';
-import type { StagePerformer } from './figure-set';
+import { frameOf, type Frames, type StagePerformer } from './figure-set';
 import { readPalette } from './palette';
 import { Picker } from './picker';
 import { Quality } from './quality';
@@ -60,7 +60,7 @@ export class Drawing {
   private ends: (() => void)[] = [];
   private width = 0;
   private height = 0;
-  private frame = 0;
+  private frames: Frames = 0;
   private direction: -1 | 0 | 1 = 0;
   private posesStale = true;
   private drawable = true;
@@ -121,10 +121,13 @@ export class Drawing {
     this.requestDraw();
   }
 
-  show(frame: number): void {
-    if (frame === this.frame && !this.posesStale) return;
-    this.direction = Math.sign(frame - this.frame) as -1 | 0 | 1;
-    this.frame = frame;
+  show(frames: Frames): void {
+    const same = this.props.performers.every(
+      (_, i) => frameOf(frames, i) === frameOf(this.frames, i),
+    );
+    if (same && !this.posesStale) return;
+    this.direction = Math.sign(frameOf(frames, 0) - frameOf(this.frames, 0)) as -1 | 0 | 1;
+    this.frames = frames;
     this.posesStale = true;
     this.requestDraw();
   }
@@ -151,8 +154,8 @@ export class Drawing {
   }
 
   /** Shows and draws a frame at once: for measurements. */
-  drawFrame(frame: number): void {
-    this.show(frame);
+  drawFrame(frames: Frames): void {
+    this.show(frames);
     this.drawNow(performance.now());
   }
 
@@ -302,8 +305,10 @@ export class Drawing {
   }
 
   private readPoses(): void {
-    for (const { source } of this.props.performers) source.prefetch(this.frame, this.direction);
-    this.posesStale = !this.scene.showFrame(this.frame);
+    this.props.performers.forEach(({ source }, i) =>
+      source.prefetch(frameOf(this.frames, i), this.direction),
+    );
+    this.posesStale = !this.scene.showFrame(this.frames);
     if (this.scene.drawable === this.drawable) return;
     this.drawable = this.scene.drawable;
     this.props.onDrawable?.(this.drawable);
@@ -342,6 +347,7 @@ function sameWorld(now: readonly StagePerformer[], before: readonly StagePerform
         performer.source.jointCount === before[i].source.jointCount &&
         performer.up.axis === before[i].up.axis &&
         performer.groundHeight === before[i].groundHeight &&
+        performer.placement === before[i].placement &&
         performer.body.height === before[i].body.height,
     )
   );

@@ -1,6 +1,7 @@
 /** In: a performer and its poses. Out: its rounded cones in the scene, written into the cone texture. */
-import { type BoneCone, writeCones } from '../figure/bone-cone';
+import { type BoneCone, type Side, writeCones } from '../figure/bone-cone';
 import { figureBones } from '../figure/figure-bones';
+import { place, type Placement } from '../figure/placement';
 import { type FigurePerformer, type SceneFrame, toScene } from '../figure/up-frame';
 import { type ConeTexture, TEXTURE_STRIDE } from './cone-texture';
 
@@ -16,13 +17,20 @@ const MOST_EXCESS = 3;
 /** Beyond as many body heights the graphics' numbers are too coarse for a figure. */
 const FARTHEST = 1e5;
 
+/** A performer, and where it stands if not where it was recorded. */
+export interface PlacedPerformer extends FigurePerformer {
+  readonly placement?: Placement;
+}
+
+const otherSide: Readonly<Record<Side, Side>> = { left: 'right', right: 'left', trunk: 'trunk' };
+
 /** One performer's figure in the scene, pose by pose. */
 export class FigurePose {
   readonly joints: Float32Array;
   readonly bones: readonly BoneCone[];
   /** Body height in those of the scene. */
   readonly radiusScale: number;
-  private readonly performer: FigurePerformer;
+  private readonly performer: PlacedPerformer;
   private readonly frame: SceneFrame;
   private readonly pelvis: number;
   private readonly human: boolean;
@@ -40,7 +48,7 @@ export class FigurePose {
 
   /** `frame` is the clip's; the bones are laid out by the first pose, unless they are given. */
   constructor(
-    performer: FigurePerformer,
+    performer: PlacedPerformer,
     frame: SceneFrame,
     pose: Float32Array,
     bones?: readonly BoneCone[],
@@ -53,12 +61,12 @@ export class FigurePose {
     const height = performer.body.height;
     this.radiusScale = height > 0 ? height / frame.bodyHeight : 1;
     toScene(pose, { ...frame, bodyHeight: frame.bodyHeight * this.radiusScale }, this.joints);
-    this.bones = bones ?? figureBones(performer.skeleton, performer.body, this.joints);
+    this.bones = bones ?? bonesOf(performer, this.joints);
   }
 
   /** Writes the pose's cones into `texture` from cone number `first`; false if it has no place in the picture. */
   writePose(pose: Float32Array, texture: ConeTexture, first: number): boolean {
-    toScene(pose, this.frame, this.joints);
+    this.placesOf(pose, this.joints);
     if (!isDrawable(this.joints)) return false;
     writeCones(
       this.bones,
@@ -80,6 +88,7 @@ export class FigurePose {
   /** Writes the places of the joints in another pose into `out`. */
   placesOf(pose: ArrayLike<number>, out: Float32Array): void {
     toScene(pose, this.frame, out);
+    if (this.performer.placement) place(out, this.performer.placement);
   }
 
   get x(): number {
@@ -129,6 +138,13 @@ export class FigurePose {
       reach = Math.max(reach, Math.hypot(joints[i] - middleX, joints[i + 2] - middleZ));
     return reach;
   }
+}
+
+/** A mirrored left arm is a right one. */
+function bonesOf({ skeleton, body, placement }: PlacedPerformer, joints: Float32Array): BoneCone[] {
+  const bones = figureBones(skeleton, body, joints);
+  if (!placement?.mirrored) return bones;
+  return bones.map((bone) => ({ ...bone, side: otherSide[bone.side] }));
 }
 
 /** Every joint is at a place that graphics can show. */

@@ -1,10 +1,10 @@
-/** In: performers and their poses. Out: their figures in the scene, all in one cone texture. */
+/** In: performers of one clip or of several, and their poses. Out: their figures in the scene, all in one cone texture. */
 import type { Mesh, Scene } from 'three';
 import type { PoseSource } from '../engine/pose-source';
 import type { PerformerResult } from '../engine/types';
-import { type FigurePerformer, type SceneFrame, sceneFrameOf } from '../figure/up-frame';
+import { type SceneFrame, sceneFrameOf } from '../figure/up-frame';
 import { ConeTexture } from './cone-texture';
-import { FigurePose } from './figure-pose';
+import { FigurePose, type PlacedPerformer } from './figure-pose';
 import {
   type FigureLook,
   figureMesh,
@@ -13,13 +13,22 @@ import {
 } from './figure-view';
 import type { GroundFigure } from './ground-view';
 
-/** One performer of the clip on the stage. */
-export interface StagePerformer extends FigurePerformer {
+/** One performer on the stage: of the one clip, or, placed there, of a clip of its own. */
+export interface StagePerformer extends PlacedPerformer {
   readonly unit: PerformerResult['unit'];
   readonly sideYawRad: number;
   readonly frontYawRad: number;
   readonly leadingRestFrames: number;
   readonly source: PoseSource;
+  /** Wears this colour of `Palette.tints` instead of those of its sides. */
+  readonly tint?: number;
+}
+
+/** The frame of all performers, or of each its own. */
+export type Frames = number | ArrayLike<number>;
+
+export function frameOf(frames: Frames, performer: number): number {
+  return typeof frames === 'number' ? frames : (frames[performer] ?? 0);
 }
 
 export interface Figure extends GroundFigure, FigureLook {
@@ -53,33 +62,40 @@ export class FigureSet {
   }
 
   /** New figures, laid out by their poses at a frame; there is room for `twins` more of the largest. */
-  replace(performers: readonly StagePerformer[], frame: number, twins: number): void {
+  replace(performers: readonly StagePerformer[], frames: Frames, twins: number): void {
     this.clear();
     this.performers = performers;
     if (performers.length === 0) return;
     const clipFrame = sceneFrameOf(performers[0]);
-    const poses = performers.map((performer) => firstPose(performer, frame, clipFrame));
+    const poses = performers.map((performer, i) =>
+      firstPose(
+        performer,
+        frameOf(frames, i),
+        performer.placement ? sceneFrameOf(performer) : clipFrame,
+      ),
+    );
     const counts = poses.map(({ bones }) => bones.length);
     this.setTexture(counts.reduce((a, b) => a + b) + twins * Math.max(...counts));
     let first = 0;
     this.figures = poses.map((pose, i) => {
-      const figure = this.create(pose, first);
+      const figure = this.create(pose, first, performers[i].tint ?? null);
       first += counts[i];
       return figure;
     });
   }
 
-  /** Whether all poses of the frame are there. */
-  has(performers: readonly StagePerformer[], frame: number): boolean {
+  /** Whether all poses of the frames are there. */
+  has(performers: readonly StagePerformer[], frames: Frames): boolean {
     for (let i = 0; i < performers.length; i++) {
-      if (poseAt(performers[i], frame) === null) return false;
+      if (poseAt(performers[i], frameOf(frames, i)) === null) return false;
     }
     return true;
   }
 
-  showFrame(frame: number): void {
+  showFrame(frames: Frames): void {
     for (let i = 0; i < this.figures.length; i++) {
       const figure = this.figures[i];
+      const frame = frameOf(frames, i);
       const pose = poseAt(this.performers[i], frame);
       if (pose === null) continue;
       figure.drawable = figure.pose.writePose(pose, this.cones, figure.first);
@@ -106,9 +122,10 @@ export class FigureSet {
     this.cones.dispose();
   }
 
-  private create(pose: FigurePose, first: number): Figure {
+  private create(pose: FigurePose, first: number, tint: number | null): Figure {
     this.cones.setBones(pose.bones, first);
-    const look = { first, count: pose.bones.length, resting: false, occluded: true, mark: 0 };
+    const count = pose.bones.length;
+    const look = { first, count, resting: false, occluded: true, mark: 0, tint };
     const place = { x: 0, z: 0, groundReach: 0, weight: 1, drawable: true };
     const figure: Omit<Figure, 'mesh'> = { pose, ...look, ...place };
     const mesh = figureMesh(this.material, figure);

@@ -8,7 +8,7 @@ import {
   type ShaderMaterialParameters,
 } from 'three';
 import { coneGeometry } from './cone-geometry';
-import type { Palette } from './palette';
+import type { BodyColours, Palette } from './palette';
 import { figureFragment, figureVertex } from './shaders';
 
 /** Uniforms that all figures and the ground share. */
@@ -24,10 +24,15 @@ export interface FigureLook {
   resting: boolean;
   /** Whether the figure darkens itself. */
   occluded: boolean;
+  /** All of it in this colour of `Palette.tints`; null: in those of its sides. */
+  readonly tint: number | null;
 }
 
 /** The matter of figures: one shader program, compiled once for all clips. */
 export class FigureMaterial extends ShaderMaterial {
+  private sides: BodyColours = [new Color(), new Color(), new Color()];
+  private tints: readonly BodyColours[] = [];
+
   constructor(shared: SharedUniforms, parameters: ShaderMaterialParameters = {}) {
     super({
       glslVersion: GLSL3,
@@ -50,9 +55,17 @@ export class FigureMaterial extends ShaderMaterial {
     });
   }
 
-  setPalette({ left, right, trunk, rest, lighting }: Palette): void {
+  coloursOf({ tint }: FigureLook): BodyColours {
+    return tint === null || this.tints.length === 0
+      ? this.sides
+      : this.tints[tint % this.tints.length];
+  }
+
+  setPalette({ left, right, trunk, tints, rest, lighting }: Palette): void {
     const { uniforms } = this;
-    uniforms.sideColours.value = [left, right, trunk];
+    this.sides = [left, right, trunk];
+    this.tints = tints;
+    uniforms.sideColours.value = this.sides;
     uniforms.restColour.value = rest;
     uniforms.sky.value = lighting.sky;
     uniforms.ground.value = lighting.ground;
@@ -68,6 +81,7 @@ export function figureMesh(material: FigureMaterial, look: FigureLook): Mesh {
   mesh.onBeforeRender = () => {
     const { uniforms } = material;
     uniforms.firstCone.value = look.first;
+    uniforms.sideColours.value = material.coloursOf(look);
     uniforms.occluderCount.value = look.occluded ? look.count : 0;
     uniforms.resting.value = look.resting ? 1 : 0;
     material.stencilRef = look.mark;

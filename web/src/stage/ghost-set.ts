@@ -31,7 +31,7 @@ export class GhostSet {
     this.ghosts = Array.from({ length: MOST_GHOSTS }, (_, i) => {
       const first = spare + i * bones.length;
       cones.setBones(bones, first);
-      return new GhostView(this.matter, figure.pose.twin(), first, i + 1);
+      return new GhostView(this.matter, figure.pose.twin(), first, i + 1, figure.tint);
     });
     for (const ghost of this.ghosts) ghost.addTo(this.scene);
   }

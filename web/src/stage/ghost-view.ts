@@ -68,12 +68,18 @@ export class GhostView implements GroundFigure {
   private readonly look: FigureLook;
   private readonly meshes: readonly [Mesh, Mesh];
 
-  /** `mark`: from 1, another for every ghost. */
-  constructor(matter: GhostMatter, pose: FigurePose, first: number, mark: number) {
+  /** `mark`: from 1, another for every ghost; `tint`: its figure's. */
+  constructor(
+    matter: GhostMatter,
+    pose: FigurePose,
+    first: number,
+    mark: number,
+    tint: number | null,
+  ) {
     this.pose = pose;
     this.first = first;
     this.count = pose.bones.length;
-    this.look = { first, count: this.count, resting: false, occluded: true, mark };
+    this.look = { first, count: this.count, resting: false, occluded: true, mark, tint };
     this.meshes = [figureMesh(matter.veil, this.look), figureMesh(matter.skin, this.look)];
     this.visible = false;
   }

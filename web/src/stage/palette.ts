@@ -13,10 +13,15 @@ export interface Lighting {
   readonly shadowStrength: number;
 }
 
+/** Of the left, the right, the trunk. */
+export type BodyColours = readonly [Color, Color, Color];
+
 export interface Palette {
   readonly left: Color;
   readonly right: Color;
   readonly trunk: Color;
+  /** Bodies of different clips: the first is A's, the second B's. */
+  readonly tints: readonly BodyColours[];
   /** All of a body while it rests before the motion. */
   readonly rest: Color;
   readonly stageTop: Color;
@@ -79,9 +84,27 @@ const FALLBACK = {
   '--stage-a': '#fbfbfc',
   '--stage-b': '#e7e9ed',
   '--line3': '#868a93',
+  '--performer-a': '#059690',
+  '--performer-b': '#872582',
+  '--label-0': '#1756b6',
+  '--label-1': '#e34c6e',
+  '--label-3': '#b29001',
+  '--label-5': '#b06505',
 } as const;
 
 type Property = keyof typeof FALLBACK;
+
+/** A's, B's, and those of labels that are not nearly one of these. */
+const TINTED: readonly Property[] = [
+  '--performer-a',
+  '--performer-b',
+  '--label-0',
+  '--label-1',
+  '--label-3',
+  '--label-5',
+];
+/** How much of the trunk's own colour is left in a tinted body. */
+const TRUNK_LEFT = 0.35;
 
 export function readPalette(element: Element, theme: Theme): Palette {
   const style = getComputedStyle(element);
@@ -93,6 +116,7 @@ export function readPalette(element: Element, theme: Theme): Palette {
     left: tinted(read('--left'), TINTS[theme].limbs),
     right: tinted(read('--right'), TINTS[theme].limbs),
     trunk: tinted(read('--trunk'), TINTS[theme].trunk),
+    tints: TINTED.map((name) => bodyOf(read(name), read('--trunk'), TINTS[theme])),
     rest: tinted(read('--line3'), TINTS[theme].rest),
     stageTop: read('--stage-a').convertLinearToSRGB(),
     stageBottom: read('--stage-b').convertLinearToSRGB(),
@@ -100,6 +124,11 @@ export function readPalette(element: Element, theme: Theme): Palette {
     shadow: new Color().setStyle(SHADOW[theme], SRGBColorSpace),
     lighting: LIGHTING[theme],
   };
+}
+
+function bodyOf(colour: Color, trunk: Color, { limbs }: (typeof TINTS)[Theme]): BodyColours {
+  const limb = tinted(colour.clone(), limbs);
+  return [limb, limb, tinted(colour.clone().lerp(trunk, TRUNK_LEFT), limbs)];
 }
 
 /** Mixed in sRGB, as eyes see it; scaled as light is. */

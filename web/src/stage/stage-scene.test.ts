@@ -1,6 +1,7 @@
 import { InstancedBufferGeometry, type Mesh, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { PoseSource } from '../engine/pose-source';
+import { asRecorded, placed } from '../figure/placement';
 import { animal, human, standingPose } from '../figure/test-bodies';
 import type { StagePerformer } from './figure-set';
 import type { Ray } from './pick';
@@ -176,5 +177,37 @@ describe('StageScene', () => {
     stage.setPerformers([performerOf([standingPose, moved(2, 0)]), performerOf([standingPose])]);
     expect(stage.showFrame(1)).toBe(true);
     expect(stage.place.x).toBeCloseTo(0.5, 6);
+  });
+
+  it('shows clips of different lengths and scales, each at a frame of its own and where it is placed', () => {
+    const stage = new StageScene();
+    const double = standingPose.map((value) => value * 2);
+    const tall = { ...animal.body, height: 4 };
+    const beside = { ...asRecorded, x: 1, z: -2 };
+    stage.setPerformers([
+      performerOf([standingPose, moved(2, 0), moved(4, 0)], { placement: asRecorded, tint: 0 }),
+      performerOf([double], { body: tall, placement: beside, tint: 1 }),
+    ]);
+    expect(stage.showFrame([2, 0])).toBe(true);
+    const [a, b] = stage.figures;
+    expect([a.x, b.x, b.z]).toEqual([2, 1, -2]);
+    expect(b.pose.top).toBeCloseTo(a.pose.top, 6);
+    expect([a.tint, b.tint]).toEqual([0, 1]);
+  });
+
+  it('mirrors a figure: what was its left arm is its right one', () => {
+    const stage = new StageScene();
+    const stand = { x: 0, z: 0, yawRad: 0 };
+    stage.setPerformers([
+      performerOf([standingPose]),
+      performerOf([standingPose], { placement: placed(stand, stand, true) }),
+    ]);
+    stage.showFrame(0);
+    const [plain, mirrored] = stage.figures.map(({ pose }) => pose);
+    const wrist = 8 * 3;
+    expect(mirrored.joints[wrist]).toBeCloseTo(-plain.joints[wrist], 6);
+    const sides = (bones: typeof plain.bones): string[] => bones.map(({ side }) => side);
+    expect(sides(plain.bones)[0]).toBe('left');
+    expect(sides(mirrored.bones)[0]).toBe('right');
   });
 });

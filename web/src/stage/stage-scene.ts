@@ -2,7 +2,7 @@
 import { Scene, type Vector3 } from 'three';
 import { BackgroundView } from './background-view';
 import { TEXTURE_STRIDE } from './cone-texture';
-import { type Figure, FigureSet, type StagePerformer } from './figure-set';
+import { type Figure, FigureSet, frameOf, type Frames, type StagePerformer } from './figure-set';
 import { figureMesh, FigureMaterial, type SharedUniforms } from './figure-view';
 import { GhostSet, MOST_GHOSTS } from './ghost-set';
 import { GhostMatter, type GhostView } from './ghost-view';
@@ -17,6 +17,15 @@ import { trailPaths, trailTime } from './trail-paths';
 const CELL = 0.5;
 /** Ghosts at most this part as far away as before are much nearer. */
 const NEARER = 0.75;
+
+const nothingSeen = {
+  first: 0,
+  count: 0,
+  resting: false,
+  occluded: false,
+  mark: 0,
+  tint: null,
+};
 
 export class StageScene {
   readonly scene = new Scene();
@@ -44,7 +53,7 @@ export class StageScene {
   private outdated = false;
   /** Draw nothing, but have the shaders compiled before the first figure and the first ghost come. */
   private readonly heralds = [this.material, this.matter.veil, this.matter.skin].map((material) =>
-    figureMesh(material, { first: 0, count: 0, resting: false, occluded: false, mark: 0 }),
+    figureMesh(material, nothingSeen),
   );
 
   constructor() {
@@ -108,12 +117,13 @@ export class StageScene {
     if (this.ready) this.placeTrails();
   }
 
-  /** Shows a frame; false while poses are missing (the figures then stay as they were). */
-  showFrame(frame: number): boolean {
-    if (!this.set.has(this.performers, frame)) return false;
-    if (this.outdated) this.replaceFigures(frame);
-    this.set.showFrame(frame);
-    if (this.trails) this.trailView.setNow(trailTime(this.trails.frames, frame));
+  /** Shows a frame, of every performer its own perhaps; false while poses are missing (the figures then stay as they were). */
+  showFrame(frames: Frames): boolean {
+    if (!this.set.has(this.performers, frames)) return false;
+    if (this.outdated) this.replaceFigures(frames);
+    this.set.showFrame(frames);
+    const now = frameOf(frames, this.chosen);
+    if (this.trails) this.trailView.setNow(trailTime(this.trails.frames, now));
     this.placeFigures();
     return true;
   }
@@ -153,10 +163,10 @@ export class StageScene {
     for (const part of [material, matter, set, ground, background, trailView]) part.dispose();
   }
 
-  private replaceFigures(frame: number): void {
+  private replaceFigures(frames: Frames): void {
     this.clear();
     this.outdated = false;
-    this.set.replace(this.performers, frame, MOST_GHOSTS);
+    this.set.replace(this.performers, frames, MOST_GHOSTS);
     if (this.performers.length === 0) return;
     this.ground.setCell(cellOf(this.performers[0]));
     this.changeFigure();

@@ -70,6 +70,8 @@ export class StageTags {
       const tag = this.letters[i] ?? this.letterTag(i);
       tag.element.setAttribute('aria-pressed', String(i === chosen));
       tag.element.setAttribute('aria-label', performerName?.(i) ?? performerLetter(i));
+      if (performers[i].tint !== undefined)
+        tag.element.dataset['tint'] = String(performers[i].tint);
       tag.element.onclick = () => onChoose?.(i);
       return tag;
     });

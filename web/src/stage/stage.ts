@@ -1,6 +1,7 @@
 /** In: an element, performers and their poses, a frame. Out: the figures on their ground, drawn by WebGL2. */
 import './stage.css';
 import { createDrawing, type Drawing, noMetrics } from './drawing';
+import type { Frames } from './figure-set';
 import type { StageMetrics, StageProps } from './stage-props';
 import type { ViewPreset } from './view';
 
@@ -28,9 +29,9 @@ export class Stage {
     this.drawing?.setProps(this.props, before);
   }
 
-  /** Asks for a frame of the clip; it is drawn with the browser's next frame. */
-  show(frame: number): void {
-    this.drawing?.show(frame);
+  /** Asks for a frame of the clip, or of each performer's own; drawn with the browser's next frame. */
+  show(frames: Frames): void {
+    this.drawing?.show(frames);
   }
 
   /** Frames the figures anew from a preset, also when that is the current one. */
@@ -45,8 +46,8 @@ export class Stage {
   }
 
   /** Shows and draws a frame at once, not with the browser's next: for measurements. */
-  drawFrame(frame: number): void {
-    this.drawing?.drawFrame(frame);
+  drawFrame(frames: Frames): void {
+    this.drawing?.drawFrame(frames);
   }
 
   metrics(): StageMetrics {
