@@ -1,6 +1,6 @@
 //! One clip: its bytes go in slice by slice, its analysis is made step by step, and arrays come out.
 
-use motion::analysis::{Analyser, Analysis, KeyposeAnalysis};
+use motion::analysis::{Analyser, Analysis, KeyposeAnalysis, Survey};
 use motion::bvh::Reader;
 use motion::clip::Clip;
 use motion::report::{self, Subject, Table, csv};
@@ -18,6 +18,7 @@ pub struct ClipHandle {
     clip: Option<Clip>,
     has_motion: bool,
     analyser: Analyser,
+    survey: Option<Survey>,
     analysis: Option<Analysis>,
 }
 
@@ -72,6 +73,7 @@ impl ClipHandle {
         let Some(clip) = self.clip.as_ref().filter(|_| self.has_motion) else {
             return Err(failure::misuse("beginAnalysis: there is no motion"));
         };
+        self.survey = None;
         self.analysis = None;
         let begun = self.analyser.begin(clip, &decisions, &options);
         begun.map_err(|error| failure::refused(&error))
@@ -90,6 +92,40 @@ impl ClipHandle {
             self.analysis = Some(self.analyser.analysis());
         }
         Ok(done)
+    }
+
+    /// A few milliseconds of work towards the survey alone, after `beginAnalysis`; `step` goes on from
+    /// there. Returns the part done; 1 when the survey is there and postures can be had.
+    #[wasm_bindgen(js_name = stepSurvey)]
+    pub fn step_survey(&mut self) -> Result<f64, JsError> {
+        let Some(clip) = self.clip.as_ref().filter(|_| self.has_motion) else {
+            return Err(failure::misuse("stepSurvey: there is no motion"));
+        };
+        let done = self.analyser.step_survey(clip);
+        if done >= 1.0 {
+            self.survey = Some(self.analyser.survey());
+        }
+        Ok(done)
+    }
+
+    /// What the survey found, in words and single numbers, as JSON.
+    pub fn survey(&self) -> Result<String, JsError> {
+        let results = self.clip.as_ref().zip(self.survey.as_ref());
+        let (clip, survey) = results.ok_or_else(|| failure::misuse("there is no survey yet"))?;
+        Ok(summary::survey(clip, survey).text())
+    }
+
+    /// `count` analysed frames (the leading rest left out) from the `first` on: frames × 16 joints × 3,
+    /// in body heights in the pelvis frame.
+    pub fn postures(&self, performer: usize, first: u32, count: u32) -> Result<Vec<f64>, JsError> {
+        let Some(track) = self.analyser.track(performer) else {
+            return Err(failure::misuse("postures: stepSurvey must have said 1"));
+        };
+        let width = 3 * track.joint_count;
+        let start = first as usize * width;
+        let frames = track.coordinates.get(start..start + count as usize * width);
+        let frames = frames.ok_or_else(|| failure::misuse("postures: the clip has fewer"))?;
+        Ok(frames.to_vec())
     }
 
     /// What was found, in words and single numbers, as JSON.

@@ -1,13 +1,17 @@
 //! What the engine says of a clip in words and single numbers, as JSON: `ClipSummary` of `raw.ts`.
 //! The series come as arrays of their own.
 
-use motion::analysis::{Analysis, KeyposeAnalysis, PerformerAnalysis};
-use motion::body::{BodyJoint, Role};
+use motion::analysis::{
+    Analysis, KeyposeAnalysis, PerformerAnalysis, PerformerSurvey, Source, Survey,
+};
+use motion::body::{Body, BodyJoint, Role};
 use motion::clip::Clip;
 use motion::note::Note;
 use motion::posture::PostureWord;
 use motion::report::json::Json;
 use motion::report::{reason_name, source_name};
+use motion::rest::LeadingRest;
+use motion::world::{Unit, Up};
 
 use crate::failure;
 use crate::settings::unit_name;
@@ -27,29 +31,26 @@ pub fn summary(clip: &Clip, analysis: &Analysis) -> Json {
     ])
 }
 
-fn performer(found: &PerformerAnalysis, labels: Vec<String>) -> Json {
-    let (up, up_source) = found.up;
-    let unit = found.unit.map(|(unit, source)| {
-        Json::object([
-            ("name", unit_name(unit).into()),
-            ("metres", unit.metres().into()),
-            ("source", source.name().into()),
-        ])
-    });
+/// The summary of a clip and its survey: `ClipSurvey` of `raw.ts`.
+pub fn survey(clip: &Clip, survey: &Survey) -> Json {
+    let performers = survey.performers.iter().zip(&clip.performers);
+    let performer = |(found, owner): (&PerformerSurvey, &motion::clip::Performer)| {
+        let mut members = Facts::of_survey(found).members(owner.skeleton.labels());
+        members.push(("analysedFrames", found.frames.into()));
+        Json::Object(members)
+    };
     Json::object([
-        ("labels", Json::list(labels)),
-        ("body", body(found)),
-        (
-            "up",
-            Json::object([
-                ("axis", up.name().into()),
-                ("source", up_source.name().into()),
-            ]),
-        ),
-        ("groundHeight", found.ground_height.into()),
-        ("unit", unit.into()),
-        ("leadingRestFrames", found.leading_rest.frames.into()),
-        ("leadingRestReason", reason_name(found.leading_rest).into()),
+        ("frames", clip.frames.into()),
+        ("frameTimeS", survey.frame_time_s.into()),
+        ("frameTimeSource", survey.frame_time_source.name().into()),
+        ("notes", notes(&clip.notes)),
+        ("performers", Json::list(performers.map(performer))),
+    ])
+}
+
+fn performer(found: &PerformerAnalysis, labels: Vec<String>) -> Json {
+    let mut members = Facts::of_analysis(found).members(labels);
+    members.extend([
         (
             "keyposes",
             found.keyposes.as_ref().ok().map(keyposes).into(),
@@ -60,13 +61,77 @@ fn performer(found: &PerformerAnalysis, labels: Vec<String>) -> Json {
         ),
         ("thumbnailFrame", found.thumbnail_frame.into()),
         ("sideYawRad", found.side_yaw_rad.into()),
-        ("frontYawRad", found.front_yaw_rad.into()),
-        ("notes", notes(&found.notes)),
+    ]);
+    Json::Object(members)
+}
+
+/// What survey and analysis both know.
+struct Facts<'a> {
+    body: &'a Body,
+    height: f64,
+    up: (Up, Source),
+    ground_height: f64,
+    unit: Option<(Unit, Source)>,
+    leading_rest: LeadingRest,
+    front_yaw_rad: f64,
+    notes: &'a [Note],
+}
+
+impl<'a> Facts<'a> {
+    fn of_survey(found: &'a PerformerSurvey) -> Self {
+        Self {
+            body: &found.body,
+            height: found.height,
+            up: found.up,
+            ground_height: found.ground_height,
+            unit: found.unit,
+            leading_rest: found.leading_rest,
+            front_yaw_rad: found.front_yaw_rad,
+            notes: &found.notes,
+        }
+    }
+
+    fn of_analysis(found: &'a PerformerAnalysis) -> Self {
+        Self {
+            body: &found.body,
+            height: found.height,
+            up: found.up,
+            ground_height: found.ground_height,
+            unit: found.unit,
+            leading_rest: found.leading_rest,
+            front_yaw_rad: found.front_yaw_rad,
+            notes: &found.notes,
+        }
+    }
+
+    fn members(&self, labels: Vec<String>) -> Vec<(&'static str, Json)> {
+        let up = Json::object([
+            ("axis", self.up.0.name().into()),
+            ("source", self.up.1.name().into()),
+        ]);
+        vec![
+            ("labels", Json::list(labels)),
+            ("body", body(self.body, self.height)),
+            ("up", up),
+            ("groundHeight", self.ground_height.into()),
+            ("unit", self.unit.map(unit).into()),
+            ("leadingRestFrames", self.leading_rest.frames.into()),
+            ("leadingRestReason", reason_name(self.leading_rest).into()),
+            ("frontYawRad", self.front_yaw_rad.into()),
+            ("notes", notes(self.notes)),
+        ]
+    }
+}
+
+fn unit((unit, source): (Unit, Source)) -> Json {
+    Json::object([
+        ("name", unit_name(unit).into()),
+        ("metres", unit.metres().into()),
+        ("source", source.name().into()),
     ])
 }
 
-fn body(found: &PerformerAnalysis) -> Json {
-    let body = &found.body;
+fn body(body: &Body, height: f64) -> Json {
     let joint = |joint: &BodyJoint| {
         Json::object([
             ("role", joint.role.name().into()),
@@ -81,7 +146,7 @@ fn body(found: &PerformerAnalysis) -> Json {
             if body.is_human() { "human" } else { "other" }.into(),
         ),
         ("pelvis", body.pelvis.into()),
-        ("height", found.height.into()),
+        ("height", height.into()),
         (
             "joints",
             Json::list(body.joints.iter().filter(is_listed).map(joint)),

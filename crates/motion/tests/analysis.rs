@@ -3,7 +3,9 @@
 
 mod support;
 
-use motion::analysis::{Analyser, Analysis, Decisions, JointDecision, analyse};
+use motion::analysis::{
+    Analyser, Analysis, Decisions, JointDecision, PerformerSurvey, analyse, survey,
+};
 use motion::body::{self, Role};
 use motion::bvh;
 use motion::clip::Clip;
@@ -414,4 +416,61 @@ fn a_skeleton_without_motion_stands_on_the_ground() {
     assert_eq!(clip.frames, 0);
     let analysis = analyse(&clip, &Decisions::default(), &Options::default()).unwrap();
     assert_eq!(analysis.performers[0].ground_height, 1.0 - 5.0);
+}
+
+/// The survey that an analysis holds.
+fn survey_of(analysis: &Analysis, frames: usize) -> PerformerSurvey {
+    let found = analysis.performers[0].clone();
+    PerformerSurvey {
+        frames: frames - found.leading_rest.frames,
+        body: found.body,
+        height: found.height,
+        up: found.up,
+        ground_height: found.ground_height,
+        unit: found.unit,
+        leading_rest: found.leading_rest,
+        feature: found.feature,
+        front_yaw_rad: found.front_yaw_rad,
+        notes: found.notes,
+    }
+}
+
+#[test]
+fn a_survey_is_what_the_analysis_finds_of_the_same() {
+    for (name, _) in support::golden_clips() {
+        let Some(clip) = cmu(&name) else { return };
+        let analysis = analyse(&clip, &Decisions::default(), &Options::default()).unwrap();
+        let survey = survey(&clip, &Decisions::default()).unwrap();
+        assert_eq!(
+            survey.performers,
+            [survey_of(&analysis, clip.frames)],
+            "{name}"
+        );
+        assert_eq!(survey.frame_time_s, analysis.frame_time_s);
+    }
+}
+
+#[test]
+fn an_analysis_goes_on_from_a_survey_and_a_survey_from_an_analysis() {
+    let Some(clip) = cmu("05_08") else { return };
+    let (decisions, options) = (Decisions::default(), Options::default());
+    let expected = analyse(&clip, &decisions, &options).unwrap();
+    let mut analyser = Analyser::new();
+    analyser.begin(&clip, &decisions, &options).unwrap();
+    let mut last = 0.0;
+    while last < 1.0 {
+        let done = analyser.step_survey(&clip);
+        assert!(done >= last, "progress went back from {last} to {done}");
+        last = done;
+    }
+    let (survey, track) = (analyser.survey(), analyser.track(0).cloned());
+    assert_eq!(finished(&mut analyser, &clip), expected);
+    // The motion is read again for its poses: the results are there, the track is not.
+    analyser.drop_motion();
+    assert_eq!(analyser.track(0), None);
+    analyser.begin(&clip, &decisions, &options).unwrap();
+    while analyser.step_survey(&clip) < 1.0 {}
+    assert_eq!(analyser.survey(), survey);
+    assert_eq!(analyser.track(0), track.as_ref());
+    assert_eq!(analyser.analysis(), expected);
 }

@@ -2,10 +2,12 @@
 
 use super::performer::{PerformerRun, Settings};
 use super::settings::{Decisions, SettingsError, Source};
+use super::survey::Survey;
 use super::{Analysis, PerformerAnalysis};
 use crate::clip::Clip;
 use crate::keypose::Options;
 use crate::note::NoteKind;
+use crate::track::PelvisTrack;
 
 /// Analyses a clip in steps of a few milliseconds.
 #[derive(Clone, Debug, Default)]
@@ -16,6 +18,8 @@ pub struct Analyser {
     runs: Vec<PerformerRun>,
     /// What was said to be done last: a piece that is made twice does not turn it back.
     done: f64,
+    /// The same of the survey.
+    surveyed: f64,
 }
 
 impl Analyser {
@@ -59,6 +63,7 @@ impl Analyser {
             }
         }
         self.done = 0.0;
+        self.surveyed = 0.0;
         Ok(())
     }
 
@@ -77,6 +82,38 @@ impl Analyser {
         let whole = (performer as f64 + done.unwrap_or(1.0)) / count;
         self.done = self.done.max(whole);
         self.done
+    }
+
+    /// A few milliseconds of work towards the survey alone; a later [`Analyser::step`] goes on from
+    /// there. Returns the part done; 1 when the survey and the tracks are there.
+    pub fn step_survey(&mut self, clip: &Clip) -> f64 {
+        let Some(settings) = &self.settings else {
+            return 0.0;
+        };
+        let Some(performer) = self.runs.iter().position(|run| run.track().is_none()) else {
+            return 1.0;
+        };
+        let done = self.runs[performer].step_poses(clip, performer, settings);
+        // Below 1: only the look above says that nothing is missing.
+        let whole = (performer as f64 + done.min(0.99)) / self.runs.len() as f64;
+        self.surveyed = self.surveyed.max(whole);
+        self.surveyed
+    }
+
+    /// The survey, once [`Analyser::step_survey`] has said 1; before that, of the performers done.
+    pub fn survey(&self) -> Survey {
+        let of = |run: &PerformerRun| run.survey(self.settings.as_ref()?);
+        Survey {
+            frame_time_s: self.frame_time_s,
+            frame_time_source: self.frame_time_source.unwrap_or(Source::Found),
+            performers: self.runs.iter().map_while(of).collect(),
+        }
+    }
+
+    /// The analysed frames of a performer (from 0) in pelvis coordinates; none where the poses are
+    /// not made yet or were dropped.
+    pub fn track(&self, performer: usize) -> Option<&PelvisTrack> {
+        self.runs.get(performer)?.track()
     }
 
     /// The analysis, once [`Analyser::step`] has said 1; before that, of the performers done.

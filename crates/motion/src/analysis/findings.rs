@@ -4,6 +4,7 @@ use super::keypose_run::Extracted;
 use super::performer::Settings;
 use super::picture_run::Picture;
 use super::pose_run::Posed;
+use super::survey::PerformerSurvey;
 use super::{KeyposeAnalysis, PerformerAnalysis};
 use crate::clip::Clip;
 use crate::note::{Note, NoteKind};
@@ -21,27 +22,21 @@ pub struct Findings<'a> {
 impl Findings<'_> {
     /// All of it as one analysis.
     pub fn analysis(&self) -> PerformerAnalysis {
-        let Posed {
-            body,
-            placement,
-            followed,
-            surroundings,
-        } = self.posed;
-        let unit = placement.unit(body, &self.settings.decisions);
+        let survey = PerformerSurvey::new(self.posed, &self.settings.decisions);
         PerformerAnalysis {
-            body: body.clone(),
-            height: placement.frame.height,
-            up: surroundings.up,
-            ground_height: surroundings.ground_height,
-            unit,
-            leading_rest: placement.leading_rest,
+            notes: self.notes(survey.notes),
+            body: survey.body,
+            height: survey.height,
+            up: survey.up,
+            ground_height: survey.ground_height,
+            unit: survey.unit,
+            leading_rest: survey.leading_rest,
             keyposes: self.keyposes(),
-            feature: followed.feature,
+            feature: survey.feature,
             thumbnail_frame: self.picture.thumbnail_frame,
             side_yaw_rad: self.picture.side_yaw_rad,
-            front_yaw_rad: surroundings.front_yaw_rad,
+            front_yaw_rad: survey.front_yaw_rad,
             trail_joints: self.trail_joints(),
-            notes: self.notes(unit.is_none()),
         }
     }
 
@@ -72,15 +67,8 @@ impl Findings<'_> {
         }
     }
 
-    fn notes(&self, is_unit_unknown: bool) -> Vec<Note> {
-        let posed = self.posed;
-        let mut notes = posed.body.notes.clone();
-        notes.extend(posed.placement.notes());
-        notes.extend(posed.surroundings.note());
-        if is_unit_unknown {
-            notes.push(Note::new(NoteKind::UnitUnknown, Vec::new()));
-        }
-        notes.extend_from_slice(&posed.followed.jumps);
+    /// The notes of the survey, and those that concern the keyposes.
+    fn notes(&self, mut notes: Vec<Note>) -> Vec<Note> {
         notes.extend(self.keyposes.iter().flat_map(|found| self.left_out(found)));
         notes
     }

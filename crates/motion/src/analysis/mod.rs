@@ -2,7 +2,8 @@
 //! keyposes, feature, pictures and notes.
 //!
 //! [`analyse`] does it at once; an [`Analyser`] does it in steps, so that other work can go on
-//! between them, and after a changed setting does only the later stages again.
+//! between them, and after a changed setting does only the later stages again. Its survey is the part
+//! that a comparison needs.
 
 mod analyser;
 mod facing;
@@ -15,10 +16,12 @@ mod placement;
 mod pose_run;
 mod settings;
 mod surroundings;
+mod survey;
 mod trails;
 
 pub use analyser::Analyser;
 pub use settings::{Decisions, JointDecision, SettingsError, Source};
+pub use survey::{PerformerSurvey, Survey};
 
 use crate::body::Body;
 use crate::clip::Clip;
@@ -127,4 +130,15 @@ pub fn analyse(
     analyser.begin(clip, decisions, options)?;
     while analyser.step(clip) < 1.0 {}
     Ok(analyser.analysis())
+}
+
+/// Surveys a clip at once: what [`analyse`] finds, short of the keyposes.
+///
+/// # Errors
+/// A decision that cannot be.
+pub fn survey(clip: &Clip, decisions: &Decisions) -> Result<Survey, SettingsError> {
+    let mut analyser = Analyser::new();
+    analyser.begin(clip, decisions, &Options::default())?;
+    while analyser.step_survey(clip) < 1.0 {}
+    Ok(analyser.survey())
 }

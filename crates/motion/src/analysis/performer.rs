@@ -7,8 +7,10 @@ use super::keypose_run::KeyposeRun;
 use super::picture_run::{Picture, PictureRun};
 use super::pose_run::{PoseRun, Posed};
 use super::settings::Decisions;
+use super::survey::PerformerSurvey;
 use crate::clip::Clip;
 use crate::keypose::{Options, OptionsError};
+use crate::track::PelvisTrack;
 
 /// With fewer analysed frames the speed has no inner value.
 const FEWEST_FRAMES: usize = 4;
@@ -69,6 +71,25 @@ impl PerformerRun {
     /// The result, once [`Self::step`] has said 1.
     pub fn analysis(&self) -> Option<&PerformerAnalysis> {
         self.analysis.as_ref()
+    }
+
+    /// What is known without the keyposes, once [`Self::step_poses`] has said 1.
+    pub fn survey(&self, settings: &Settings) -> Option<PerformerSurvey> {
+        let posed = self.poses.posed()?;
+        Some(PerformerSurvey::new(posed, &settings.decisions))
+    }
+
+    /// The analysed frames in pelvis coordinates, as long as the poses are there.
+    pub fn track(&self) -> Option<&PelvisTrack> {
+        Some(&self.poses.posed()?.followed.track)
+    }
+
+    /// Makes a part of the first missing pose. Returns the part done, 1 when all are there.
+    pub fn step_poses(&mut self, clip: &Clip, performer: usize, settings: &Settings) -> f64 {
+        match self.poses.posed() {
+            Some(_) => 1.0,
+            None => self.poses.step(clip, performer, &settings.decisions),
+        }
     }
 
     /// Makes a part of the first missing piece. Returns the part done, 1 when all is there.
