@@ -33,6 +33,7 @@ impl Findings<'_> {
             leading_rest: survey.leading_rest,
             keyposes: self.keyposes(),
             feature: survey.feature,
+            comparable: survey.comparable,
             thumbnail_frame: self.picture.thumbnail_frame,
             side_yaw_rad: self.picture.side_yaw_rad,
             front_yaw_rad: survey.front_yaw_rad,

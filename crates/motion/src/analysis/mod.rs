@@ -25,6 +25,7 @@ pub use survey::{PerformerSurvey, Survey};
 
 use crate::body::Body;
 use crate::clip::Clip;
+use crate::feature::ComparableFeature;
 use crate::keypose::{Extraction, Options};
 use crate::note::Note;
 use crate::part_change::PartChange;
@@ -65,6 +66,9 @@ pub struct PerformerAnalysis {
     /// Means and standard deviations of the posture variation, in squared body heights; none
     /// without frames or a human body.
     pub feature: Option<[f64; 12]>,
+    /// What a comparison with other clips takes: that feature, the one across rigs, and the joints'
+    /// parts of both; none where there is no feature.
+    pub comparable: Option<ComparableFeature>,
     /// The frame that pictures the motion.
     pub thumbnail_frame: usize,
     /// The yaw from which the figures of the keyposes are widest, see

@@ -93,7 +93,7 @@ impl PoseRun {
             return 0.0;
         };
         let done = match (&self.following, &self.followed, &self.placement) {
-            (Some(_), ..) => self.follow(body.is_human()),
+            (Some(_), ..) => self.follow(),
             (None, Some(_), Some(placement)) => {
                 let (footing, frame) = (&self.footing, &placement.frame);
                 let found = Surroundings::new(clip, performer, &body, footing, frame, decisions);
@@ -150,7 +150,7 @@ impl PoseRun {
     }
 
     /// Follows the analysed frames; when all are done, keeps what was found in them.
-    fn follow(&mut self, is_human: bool) -> f64 {
+    fn follow(&mut self) -> f64 {
         let Some(mut following) = self.following.take() else {
             return POSED;
         };
@@ -158,9 +158,7 @@ impl PoseRun {
         // Below 1: the surroundings are still to come.
         let done = POSED + 0.9 * (1.0 - POSED) * following.progress();
         if is_complete {
-            let mut followed = following.finish();
-            followed.feature = followed.feature.filter(|_| is_human);
-            self.followed = Some(followed);
+            self.followed = Some(following.finish());
         } else {
             self.following = Some(following);
         }

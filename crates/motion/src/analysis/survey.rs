@@ -5,6 +5,7 @@ use super::placement::Placement;
 use super::pose_run::Posed;
 use super::settings::{Decisions, Source};
 use crate::body::Body;
+use crate::feature::ComparableFeature;
 use crate::note::{Note, NoteKind};
 use crate::rest::LeadingRest;
 use crate::world::{Unit, Up};
@@ -39,6 +40,8 @@ pub struct PerformerSurvey {
     pub frames: usize,
     /// The posture variation, in squared body heights; none without frames or a human body.
     pub feature: Option<[f64; 12]>,
+    /// What a comparison with other clips takes; none where there is no feature.
+    pub comparable: Option<ComparableFeature>,
     /// The yaw of a viewer whom the pelvis faces in the mean.
     pub front_yaw_rad: f64,
     /// What was assumed and found out of the ordinary, short of what concerns keyposes.
@@ -63,7 +66,8 @@ impl PerformerSurvey {
             unit,
             leading_rest: placement.leading_rest,
             frames: followed.track.frames(),
-            feature: followed.feature,
+            feature: followed.comparable.as_ref().map(|found| found.recorded),
+            comparable: followed.comparable.clone(),
             front_yaw_rad: surroundings.front_yaw_rad,
             notes: notes(posed, placement, unit.is_none()),
         }

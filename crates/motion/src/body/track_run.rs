@@ -35,6 +35,11 @@ impl TrackRun {
         self.frames
     }
 
+    /// The frame of the table that the first frame of the track is.
+    pub fn first_frame(&self) -> usize {
+        self.first_frame
+    }
+
     /// Numbers that are held.
     pub fn capacity(&self) -> usize {
         self.coordinates.capacity()

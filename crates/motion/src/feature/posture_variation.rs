@@ -10,7 +10,7 @@
 use crate::track::PelvisTrack;
 
 /// The pairs of axes of σ_xx, σ_yy, σ_zz, σ_xy, σ_yz, σ_zx.
-const AXES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
+pub(super) const AXES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (2, 0)];
 
 /// The feature while frames come in, with Welford's running mean and deviation, so that no large
 /// squares are subtracted.
@@ -24,15 +24,27 @@ pub struct PostureVariation {
 impl PostureVariation {
     /// Adds a frame: x, y, z of joint after joint.
     pub fn add(&mut self, posture: &[f64]) {
+        self.add_covariance(covariance(posture));
+    }
+
+    /// Adds a frame by its f; returns how far f lies from the mean with it.
+    pub(super) fn add_covariance(&mut self, covariance: [f64; 6]) -> [f64; 6] {
         self.frames += 1;
         let count = self.frames as f64;
-        let covariance = covariance(posture);
+        let mut deviation = covariance;
         let running = self.mean.iter_mut().zip(&mut self.squares);
-        for (value, (mean, squares)) in covariance.into_iter().zip(running) {
-            let before = value - *mean;
+        for (value, (mean, squares)) in deviation.iter_mut().zip(running) {
+            let before = *value - *mean;
             *mean += before / count;
-            *squares += before * (value - *mean);
+            *value -= *mean;
+            *squares += before * *value;
         }
+        deviation
+    }
+
+    /// Frames added.
+    pub(super) fn frames(&self) -> usize {
+        self.frames
     }
 
     /// The feature of the frames added; zeros without any.
