@@ -13,4 +13,5 @@
 //! The crate knows no clip, no file and no clock; every number is an `f64`, and the same input gives
 //! the same bits on every platform.
 
+pub mod distance;
 pub mod feature;
