@@ -50,6 +50,7 @@ function createContext(): Context {
     panels: createPanels(preferences, (query) => matchMedia(query)),
     fullScreen: createFullScreen(document),
     preferences,
+    pageKeys: new Map(),
     picker: createPicker(document.body, (given) => actions.take(given)),
   };
 }

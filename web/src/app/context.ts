@@ -2,7 +2,9 @@
 import type { Comparer } from '../engine/comparison-types';
 import type { Engine } from '../engine/types';
 import type { Playback } from '../player/playback';
+import type { KeyCommand } from '../player/keys';
 import type { Actions } from './actions';
+import type { Page } from './compare-store';
 import type { CompareActions } from './compare-actions';
 import type { FullScreen } from './full-screen';
 import type { History } from './history';
@@ -26,6 +28,8 @@ export interface Context {
   readonly panels: Panels;
   readonly fullScreen: FullScreen;
   readonly preferences: Preferences;
+  /** What the keys do on pages other than the study, which set it themselves. */
+  readonly pageKeys: Map<Page, (command: KeyCommand) => void>;
   /** The browser's own dialogs. */
   readonly picker: { files(): void; folder(): void };
 }

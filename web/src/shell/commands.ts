@@ -45,6 +45,17 @@ const commands: Readonly<Record<KeyCommand, Run>> = {
   redo: ({ actions }) => actions.redo(),
 };
 
+/** What holds on every page; the other commands are about the time of the page that is shown. */
+const everywhere: ReadonlySet<KeyCommand> = new Set([
+  'full-screen',
+  'help',
+  'filter',
+  'undo',
+  'redo',
+]);
+
 export function runCommand(context: Context, command: KeyCommand): void {
-  commands[command](context);
+  const page = context.store.compare.page.peek();
+  if (page === 'study' || everywhere.has(command)) commands[command](context);
+  else context.pageKeys.get(page)?.(command);
 }

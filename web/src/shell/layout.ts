@@ -7,6 +7,8 @@ const names = [
   'workspace',
   'library',
   'study',
+  'compare',
+  'pair',
   'stage',
   'stage-figure',
   'stage-overlay',
@@ -40,6 +42,8 @@ const skeleton = html`
         <div id="timeline" class="timeline-place"></div>
       </div>
     </main>
+    <main id="compare" class="compare" hidden></main>
+    <main id="pair" class="pair" hidden></main>
     <aside id="inspector" class="inspector"></aside>
     <div id="scrim" class="scrim" hidden></div>
   </div>

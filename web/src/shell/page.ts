@@ -14,6 +14,7 @@ import { mountTransport } from '../transport/mount-transport';
 import { Drawers } from './drawers';
 import { helpDialog } from './help-dialog';
 import type { Places } from './layout';
+import { showPages } from './pages';
 import { notices } from './toasts';
 import { topBar, type OpenClipPlace, type TopBarProps } from './top-bar';
 
@@ -24,6 +25,7 @@ export function mountPage(places: Places, context: Context, settings: StageSetti
   mountEmpty(places.empty, context);
   mountNotices(places, context);
   showWhatIsDue(places, context);
+  showPages(places, context, settings);
   speakTheLanguage(context);
   setTimeout(() => mountStudy(places, context, settings));
 }
@@ -58,6 +60,8 @@ function clipPlace({ store }: Context): OpenClipPlace | null {
   };
 }
 
+const isStudy = ({ store }: Context): boolean => store.compare.page.value === 'study';
+
 /** A file that could not be read has none. */
 const hasDetails = ({ store }: Context): boolean => {
   const clip = store.openClip.value;
@@ -75,14 +79,17 @@ function topBarProps(context: Context): TopBarProps {
     themeChoice: choice,
     study: study
       ? {
+          page: store.compare.page.value,
           clip: clipPlace(context),
           undo: undo?.label ?? null,
           redo: redo?.label ?? null,
           panels: store.present.value.length > 0,
           libraryOpen: panels.library.open.value,
-          inspectorOpen: hasDetails(context) ? panels.inspector.open.value : null,
+          inspectorOpen:
+            isStudy(context) && hasDetails(context) ? panels.inspector.open.value : null,
         }
       : null,
+    onPage: (page) => context.compareActions.showPage(page),
     onClip: (direction) => actions.openNeighbour(direction),
     onUndo: () => actions.undo(),
     onRedo: () => actions.redo(),
@@ -173,6 +180,12 @@ function mountSplitters(places: Places, { language, preferences }: Context): voi
   }
 }
 
+/** Two motions beside each other need all the width; details are the study's. */
+function isDue(panel: 'library' | 'inspector', context: Context): boolean {
+  if (panel === 'library') return context.store.compare.page.value !== 'pair';
+  return isStudy(context) && hasDetails(context);
+}
+
 /** Empty page or study, panels, drawers, veil. */
 function showWhatIsDue(places: Places, context: Context): void {
   const { store, panels, language } = context;
@@ -181,14 +194,14 @@ function showWhatIsDue(places: Places, context: Context): void {
     const hasClips = store.present.value.length > 0;
     places.empty.hidden = hasClips;
     places.workspace.hidden = !hasClips;
-    document.documentElement.dataset['page'] = hasClips ? 'study' : 'empty';
+    document.documentElement.dataset['page'] = hasClips ? store.compare.page.value : 'empty';
   });
   follow(() => {
     document.documentElement.toggleAttribute('data-full-screen', context.fullScreen.active.value);
   });
   follow(() => {
     for (const name of ['library', 'inspector'] as const) {
-      const due = name === 'library' || hasDetails(context);
+      const due = isDue(name, context);
       places[name].hidden = !due || !panels[name].open.value;
       places[name].classList.toggle('drawer', !panels[name].docked.value);
     }

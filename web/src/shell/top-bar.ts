@@ -1,5 +1,6 @@
 /** Where one is and what holds everywhere: the mark, the open clip and its neighbours, undo, taste, help. */
 import { html, nothing, type TemplateResult } from 'lit-html';
+import type { Page } from '../app/compare-store';
 import type { Words } from '../app/i18n/catalogue';
 import type { ThemeChoice } from '../app/theme';
 import { mark, type IconName } from '../common/icons';
@@ -20,6 +21,7 @@ export interface TopBarProps {
   readonly themeChoice: ThemeChoice;
   /** null on the empty page. */
   readonly study: {
+    readonly page: Page;
     readonly clip: OpenClipPlace | null;
     readonly undo: string | null;
     readonly redo: string | null;
@@ -29,6 +31,7 @@ export interface TopBarProps {
     /** null where there is nothing to show in it. */
     readonly inspectorOpen: boolean | null;
   } | null;
+  readonly onPage: (page: Page) => void;
   readonly onClip: (direction: 1 | -1) => void;
   readonly onUndo: () => void;
   readonly onRedo: () => void;
@@ -54,6 +57,20 @@ function clipPlace({ words: { t }, onClip }: TopBarProps, clip: OpenClipPlace): 
     >
     ${iconButton({ name: 'chevron-right', label: t('top.next-clip'), small: true, disabled: clip.place === 0 || clip.place >= clip.count, onPress: () => onClip(1) })}
   `;
+}
+
+const pages: readonly Page[] = ['study', 'compare', 'pair'];
+
+function pageTabs({ words: { t }, onPage }: TopBarProps, current: Page): TemplateResult {
+  const tab = (page: Page): TemplateResult =>
+    html`<button
+      class="page-tab"
+      aria-current=${page === current ? 'page' : nothing}
+      @click=${() => onPage(page)}
+    >
+      ${t(`top.page.${page}`)}
+    </button>`;
+  return html`<nav class="page-tabs" aria-label=${t('top.pages')}>${pages.map(tab)}</nav>`;
 }
 
 function historyButtons(
@@ -112,8 +129,11 @@ export function topBar(props: TopBarProps): TemplateResult {
     iconButton({ name, label, expanded: on, onPress });
   return html`
     <div class="brand">${mark()}<span>Keypose</span></div>
-    ${study?.panels ? panel('panel-left', t('top.library'), study.libraryOpen, props.onLibrary) : nothing}
-    <div class="top-middle">${study?.clip ? clipPlace(props, study.clip) : nothing}</div>
+    ${study?.panels && study.page !== 'pair' ? panel('panel-left', t('top.library'), study.libraryOpen, props.onLibrary) : nothing}
+    ${study?.panels ? pageTabs(props, study.page) : nothing}
+    <div id="top-middle" class="top-middle">
+      ${study?.clip && study.page === 'study' ? clipPlace(props, study.clip) : nothing}
+    </div>
     <div class="top-end">
       ${study ? historyButtons(props, study) : nothing}
       <span class="top-taste">${tasteButtons(props)}</span>

@@ -31,6 +31,10 @@ export const en = {
   'sample.run': 'A run',
   'sample.run.about': '{0} keyposes, in mid-flight',
 
+  'top.pages': 'Pages',
+  'top.page.study': 'Study',
+  'top.page.compare': 'Compare',
+  'top.page.pair': 'Pair',
   'top.previous-clip': 'Previous clip',
   'top.next-clip': 'Next clip',
   'top.place': '{0} / {1}',

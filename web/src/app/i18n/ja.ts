@@ -32,6 +32,10 @@ export const ja: Catalogue = {
   'sample.run': '走行',
   'sample.run.about': '宙に浮く瞬間、キーポーズ {0} 個',
 
+  'top.pages': 'ページ',
+  'top.page.study': '観察',
+  'top.page.compare': '比較',
+  'top.page.pair': '並べて見る',
   'top.previous-clip': '前のクリップ',
   'top.next-clip': '次のクリップ',
   'top.place': '{0} / {1}',
