@@ -13,5 +13,10 @@
 //! The crate knows no clip, no file and no clock; every number is an `f64`, and the same input gives
 //! the same bits on every platform.
 
+pub mod condensed;
+pub mod cut;
+pub mod dendrogram;
 pub mod distance;
 pub mod feature;
+pub mod leaf_order;
+pub mod linkage;

@@ -1,0 +1,90 @@
+//! Vectors or a condensed matrix in; the tree of an agglomerative clustering out.
+//!
+//! Both linkages follow chains of nearest neighbours (Murtagh 1983; Müllner 2011), with SciPy's
+//! start (the first cluster left) and preferences among equal distances (the one before in the
+//! chain, then the lowest number), so that their trees are SciPy's.
+
+mod chain;
+mod on_matrix;
+
+use crate::condensed::Condensed;
+use crate::dendrogram::Dendrogram;
+use crate::feature::Vector;
+use chain::Chain;
+use on_matrix::{GroupAverageRule, OnMatrix, WardRule};
+
+/// The Euclidean distance of two vectors.
+#[must_use]
+pub fn euclidean(one: &Vector, other: &Vector) -> f64 {
+    let squares = one.iter().zip(other).map(|(a, b)| (a - b) * (a - b));
+    squares.sum::<f64>().sqrt()
+}
+
+/// Ward's linkage of vectors by their Euclidean distances. The height of a merge is the distance
+/// `sqrt(2 · m · n / (m + n)) · |c_m − c_n|` of the two centroids c, for clusters of m and n items:
+/// SciPy's scale.
+#[must_use]
+pub fn ward(vectors: &[Vector]) -> Dendrogram {
+    WardSteps::new(vectors).finish()
+}
+
+/// The group-average linkage (UPGMA) of a matrix of distances: the height of a merge is the mean
+/// distance of the pairs of items between the two clusters.
+#[must_use]
+pub fn group_average(condensed: &Condensed) -> Dendrogram {
+    GroupAverageSteps::new(condensed).finish()
+}
+
+/// [`ward`] in pieces.
+pub struct WardSteps {
+    chain: Chain<OnMatrix<WardRule>>,
+}
+
+impl WardSteps {
+    /// Nothing merged yet.
+    #[must_use]
+    pub fn new(vectors: &[Vector]) -> Self {
+        let distance = |row: usize, column: usize| euclidean(&vectors[row], &vectors[column]);
+        let condensed = Condensed::from_fn(vectors.len(), distance);
+        Self {
+            chain: Chain::of(OnMatrix::of(condensed)),
+        }
+    }
+
+    /// Goes on until about `budget` distances have been looked at; how much is done, 0 to 1.
+    pub fn step(&mut self, budget: usize) -> f64 {
+        self.chain.step(budget)
+    }
+
+    /// Does what is left; the tree.
+    #[must_use]
+    pub fn finish(self) -> Dendrogram {
+        self.chain.finish()
+    }
+}
+
+/// [`group_average`] in pieces.
+pub struct GroupAverageSteps {
+    chain: Chain<OnMatrix<GroupAverageRule>>,
+}
+
+impl GroupAverageSteps {
+    /// Nothing merged yet; works on a copy of the matrix.
+    #[must_use]
+    pub fn new(condensed: &Condensed) -> Self {
+        Self {
+            chain: Chain::of(OnMatrix::of(condensed.clone())),
+        }
+    }
+
+    /// Goes on until about `budget` distances have been looked at; how much is done, 0 to 1.
+    pub fn step(&mut self, budget: usize) -> f64 {
+        self.chain.step(budget)
+    }
+
+    /// Does what is left; the tree.
+    #[must_use]
+    pub fn finish(self) -> Dendrogram {
+        self.chain.finish()
+    }
+}
