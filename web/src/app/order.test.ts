@@ -8,6 +8,7 @@ const clips = [
   testClip(2, '花笠踊り.bvh'),
   testClip(3, 'Walk.bvh', { result: testResult(200, 9) }),
 ];
+const labels = new Map([[3, 'gait']]);
 const ids = (list: readonly { id: number }[]): number[] => list.map(({ id }) => id);
 
 test('names are sorted as people count', () => {
@@ -24,9 +25,10 @@ test('the order of arrival can be turned round', () => {
   expect(ids(sortClips(clips, { key: 'arrival', descending: true }))).toEqual([3, 2, 1, 0]);
 });
 
-test('a filter wants every word, in folder or name, in any width and case', () => {
-  expect(ids(filterClips(clips, 'trial 05'))).toEqual([1]);
-  expect(ids(filterClips(clips, 'ＷＡＬＫ'))).toEqual([3]);
-  expect(ids(filterClips(clips, '笠'))).toEqual([2]);
-  expect(filterClips(clips, '  ')).toBe(clips);
+test('a filter wants every word, in folder, name or label, in any width and case', () => {
+  expect(ids(filterClips(clips, 'trial 05', labels))).toEqual([1]);
+  expect(ids(filterClips(clips, 'ＷＡＬＫ', labels))).toEqual([3]);
+  expect(ids(filterClips(clips, '笠', labels))).toEqual([2]);
+  expect(ids(filterClips(clips, 'GAIT', labels))).toEqual([3]);
+  expect(filterClips(clips, '  ', labels)).toBe(clips);
 });

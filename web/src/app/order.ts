@@ -1,5 +1,6 @@
 /** The clips of the library in; those that the filter lets through, in the order asked for, out. */
 import { isAnalysed, keyposeCount, lengthOf, type Clip } from './clips';
+import type { Labels } from './labels';
 
 export type SortKey = 'arrival' | 'name' | 'length' | 'keyposes';
 
@@ -41,12 +42,16 @@ export function sortClips(clips: readonly Clip[], { key, descending }: Sort): Cl
 
 const plain = (text: string): string => text.normalize('NFKC').toLowerCase();
 
-/** Every word of the filter must stand in the clip's folder or name. */
-export function filterClips(clips: readonly Clip[], filter: string): readonly Clip[] {
+/** Every word of the filter must stand in the clip's folder, name or label. */
+export function filterClips(
+  clips: readonly Clip[],
+  filter: string,
+  labels: Labels,
+): readonly Clip[] {
   const words = plain(filter).split(/\s+/).filter(Boolean);
   if (words.length === 0) return clips;
-  return clips.filter(({ source }) => {
-    const text = plain(`${source.folder}/${source.name}`);
+  return clips.filter(({ id, source }) => {
+    const text = plain(`${source.folder}/${source.name} ${labels.get(id) ?? ''}`);
     return words.every((word) => text.includes(word));
   });
 }

@@ -14,6 +14,7 @@ import type { LoopRange } from '../player/clock';
 import { nearestIndex } from '../player/neighbours';
 import { keyposeFrames, newClip, type Clip } from './clips';
 import { createCompareStore, type CompareStore } from './compare-store';
+import { labelNames, labelsOf, steadyLabels, type Labels } from './labels';
 import { qualifiers } from './names';
 import { filterClips, sortClips, type Sort } from './order';
 
@@ -90,6 +91,10 @@ export interface Store {
   /** The rows of the library. */
   readonly shown: ReadonlySignal<readonly Clip[]>;
   readonly qualifiers: ReadonlySignal<ReadonlyMap<ClipId, string>>;
+  /** The label of every clip that is present; another map only when a label is another one. */
+  readonly labels: ReadonlySignal<Labels>;
+  /** Every label once; its place gives it colour and shape (`labelStyle`). */
+  readonly labelNames: ReadonlySignal<readonly string[]>;
   readonly openClip: ReadonlySignal<Clip | null>;
   readonly openPerformer: ReadonlySignal<PerformerResult | null>;
   readonly keyposeFrames: ReadonlySignal<Int32Array>;
@@ -148,13 +153,16 @@ export function createStore(): Store {
     openPerformer.value ? keyposeFrames(openPerformer.value) : new Int32Array(),
   );
   const names = computed(() => qualifiers(present.value));
+  const labels = labelling(state.compare, present);
   return {
     ...state,
     present,
     shown: computed(() =>
-      sortClips(filterClips(present.value, state.filter.value), state.sort.value),
+      sortClips(filterClips(present.value, state.filter.value, labels.value), state.sort.value),
     ),
     qualifiers: names,
+    labels,
+    labelNames: computed(() => labelNames(labels.value)),
     openClip,
     openPerformer,
     keyposeFrames: frames,
@@ -164,6 +172,17 @@ export function createStore(): Store {
     }),
     currentKeypose: computed(() => nearestIndex(frames.value, state.playback.value.frame)),
   };
+}
+
+function labelling(
+  { labelRule, handLabels }: CompareStore,
+  present: ReadonlySignal<readonly Clip[]>,
+): ReadonlySignal<Labels> {
+  let before: Labels = new Map();
+  return computed(
+    () =>
+      (before = steadyLabels(before, labelsOf(labelRule.value, handLabels.value, present.value))),
+  );
 }
 
 /** Changes some fields of one clip. */

@@ -5,12 +5,13 @@ import { repeat } from 'lit-html/directives/repeat.js';
 import type { ClipId } from '../engine/types';
 import type { Clip } from '../app/clips';
 import type { MessageKey, Words } from '../app/i18n/catalogue';
+import type { Labels } from '../app/labels';
 import { sortKeys, type Sort, type SortKey } from '../app/order';
 import { iconButton } from '../common/buttons';
 import { styled } from '../common/directives';
 import { icon } from '../common/icons';
 import { menuButton, type MenuItem } from '../common/menu';
-import { libraryRow, rowHeightPx } from './row';
+import { libraryRow, rowHeightPx, type RowLabel } from './row';
 import { rowWindow } from './row-window';
 
 export interface LibraryProps {
@@ -21,6 +22,8 @@ export interface LibraryProps {
   readonly bytes: number;
   readonly openId: ClipId | null;
   readonly qualifiers: ReadonlyMap<ClipId, string>;
+  readonly labels: Labels;
+  readonly labelNames: readonly string[];
   readonly filter: string;
   readonly sort: Sort;
   readonly scrollTop: number;
@@ -112,6 +115,11 @@ function filterField({ words: { t }, filter, onFilter }: LibraryProps): Template
   </div>`;
 }
 
+function labelOf({ labels, labelNames }: LibraryProps, id: ClipId): RowLabel | null {
+  const name = labels.get(id) ?? null;
+  return name === null ? null : { name, index: labelNames.indexOf(name) };
+}
+
 function rowsInSight(props: LibraryProps): TemplateResult {
   const { rows, openId, qualifiers, words } = props;
   const { first, end } = rowWindow(rows.length, rowHeightPx, props.scrollTop, props.viewHeight);
@@ -121,6 +129,7 @@ function rowsInSight(props: LibraryProps): TemplateResult {
       words,
       clip,
       qualifier: qualifiers.get(clip.id) ?? '',
+      label: labelOf(props, clip.id),
       open: clip.id === openId,
       tabStop: openInSight ? clip.id === openId : offset === 0,
       index: first + offset,

@@ -24,6 +24,8 @@ function propsOf(
     bytes: present.reduce((sum, { source }) => sum + source.blob.size, 0),
     openId: store.openId.value,
     qualifiers: store.qualifiers.value,
+    labels: store.labels.value,
+    labelNames: store.labelNames.value,
     filter: store.filter.value,
     sort: store.sort.value,
     scrollTop: scroll.top,

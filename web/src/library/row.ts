@@ -7,14 +7,22 @@ import { iconButton } from '../common/buttons';
 import { clipName } from '../common/clip-name';
 import { drawn, styled } from '../common/directives';
 import { icon } from '../common/icons';
+import { labelMark } from '../common/label-mark';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 
 export const rowHeightPx = 44;
+
+export interface RowLabel {
+  readonly name: string;
+  /** Its place among all labels. */
+  readonly index: number;
+}
 
 export interface RowProps {
   readonly words: Words;
   readonly clip: Clip;
   readonly qualifier: string;
+  readonly label: RowLabel | null;
   readonly open: boolean;
   /** Whether the Tab key stops at this row. */
   readonly tabStop: boolean;
@@ -84,6 +92,15 @@ function facts({ words, clip }: RowProps): TemplateResult {
   return html`<span class="clip-facts">${length} · ${rate}</span>`;
 }
 
+/** The name is spoken, and shown by its tip. */
+function labelOf({ words: { t }, label }: RowProps): TemplateResult | typeof nothing {
+  if (!label) return nothing;
+  const name = t('library.label', label.name);
+  return html`<span class="clip-label" title=${name}
+    >${labelMark(label.index)}<span class="spoken">${name}</span></span
+  >`;
+}
+
 function counts({ words: { t, format }, clip }: RowProps): TemplateResult {
   const notes = clip.result ? notesOf(clip.result) : [];
   const warnings = warningsAmong(notes);
@@ -138,7 +155,11 @@ export function libraryRow(props: RowProps): TemplateResult {
       @click=${props.onOpen}
     >
       ${thumbnail(props)}
-      <span class="clip-text">${clipName(clip.source.name, props.qualifier)}${facts(props)}</span>
+      <span class="clip-text"
+        >${clipName(clip.source.name, props.qualifier)}<span class="clip-beneath"
+          >${labelOf(props)}${facts(props)}</span
+        ></span
+      >
       ${counts(props)}
     </button>
     <span class="clip-remove"

@@ -1,8 +1,10 @@
 /** Every sentence of the page in English. `{0}`, `{1}` … are filled; two forms go by the first number. */
+import { englishCompare } from './en-compare';
 import { englishInspector } from './en-inspector';
 import { englishMatrix } from './en-matrix';
 
 export const en = {
+  ...englishCompare,
   ...englishInspector,
   ...englishMatrix,
   'language.other': '日本語',

@@ -1,9 +1,11 @@
 /** Every sentence of the page in Japanese; the keys are those of `en`. */
 import type { Catalogue } from './catalogue';
+import { japaneseCompare } from './ja-compare';
 import { japaneseInspector } from './ja-inspector';
 import { japaneseMatrix } from './ja-matrix';
 
 export const ja: Catalogue = {
+  ...japaneseCompare,
   ...japaneseInspector,
   ...japaneseMatrix,
   'language.other': 'English',
