@@ -131,6 +131,20 @@ function counts({ words: { t, format }, clip }: RowProps): TemplateResult {
   </span>`;
 }
 
+function removal({ words, clip, onRemove }: RowProps): TemplateResult {
+  return html`<span class="clip-remove"
+    >${iconButton({
+      name: 'x',
+      label: words.t('library.remove', clip.source.name),
+      size: 14,
+      small: true,
+      keys: 'Delete',
+      keyText: words.t('key.delete'),
+      onPress: onRemove,
+    })}</span
+  >`;
+}
+
 export function libraryRow(props: RowProps): TemplateResult {
   const { words, clip, open, index, count } = props;
   const onKey = (event: KeyboardEvent): void => {
@@ -162,16 +176,6 @@ export function libraryRow(props: RowProps): TemplateResult {
       >
       ${counts(props)}
     </button>
-    <span class="clip-remove"
-      >${iconButton({
-        name: 'x',
-        label: words.t('library.remove', clip.source.name),
-        size: 14,
-        small: true,
-        keys: 'Delete',
-        keyText: words.t('key.delete'),
-        onPress: props.onRemove,
-      })}</span
-    >
+    ${removal(props)}
   </li>`;
 }
