@@ -1,10 +1,13 @@
-// Runs in the app's page before the app. Notes when files are dropped, when keyposes are known, when the
-// figures are handed to WebGL, how long tasks take and when a worker last spoke. Out: `window.probe`.
+// Runs in the app's page before the app. Notes when files are dropped, when keyposes are known, when a set is
+// compared and its matrix first drawn, when the figures are handed to WebGL, how long tasks take and when a worker
+// last spoke. Out: `window.probe`.
 (() => {
   const probe = {
     droppedMs: 0,
     keyposesMs: 0,
     frameMs: 0,
+    firstPictureMs: 0,
+    comparedMs: 0,
     longestTaskMs: 0,
     workerMs: 0,
     cancelMs: 0,
@@ -23,6 +26,8 @@
   const mark = performance.mark.bind(performance);
   performance.mark = (name, options) => {
     if (name === 'keyposes') probe.keyposesMs = performance.now();
+    if (name === 'comparison-first-picture') probe.firstPictureMs ||= performance.now();
+    if (name === 'comparison-full') probe.comparedMs = performance.now();
     return mark(name, options);
   };
 

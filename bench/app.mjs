@@ -66,7 +66,7 @@ class App {
 }
 
 /** Calls `use` with the app in a fresh browser. */
-async function inApp(address, search, use) {
+export async function inApp(address, search, use) {
   const browser = await chromium.launch({
     executablePath: findChromium(),
     args: chromiumArguments,

@@ -1,10 +1,19 @@
-// The memory of a page as the system counts it (Linux only): the peak of its processes' resident memory
-// less what they took before. What a page can ask about itself leaves much out.
+// Memory as the system counts it (Linux only): of a program the peak of its resident memory; of a page the peak
+// of its processes' less what they took before. What a page can ask about itself leaves much out.
 import { existsSync, readFileSync } from 'node:fs';
 
 function kilobytes(pid, field) {
   const status = readFileSync(`/proc/${pid}/status`, 'utf8');
   return Number(new RegExp(`^${field}:\\s*(\\d+) kB`, 'm').exec(status)?.[1] ?? 0);
+}
+
+/** Bytes of a process at the peak; null where they cannot be known or it has ended. */
+export function peakBytesOf(pid) {
+  try {
+    return kilobytes(pid, 'VmHWM') * 1024 || null;
+  } catch {
+    return null;
+  }
 }
 
 /** The renderers of one browser, from now on. */

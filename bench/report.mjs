@@ -1,4 +1,5 @@
 // What was measured, for reading. In: the data of measure.mjs. Out: tables as text.
+import { comparingTables } from './report-comparing.mjs';
 import { digits, table, told } from './statistics.mjs';
 
 const megabytes = (bytes) => (bytes / 1e6).toFixed(1);
@@ -131,7 +132,7 @@ function bitsLine(reading) {
 }
 
 /** The tables of what was measured: medians, with minimum and maximum in brackets. */
-export function report({ reading, extraction, opening, app, stage, folder }) {
+export function report({ reading, extraction, opening, app, stage, folder, compare }) {
   return [
     ...(reading ? [readingTable(reading), bitsLine(reading)] : []),
     ...(extraction ? [extractionTable(extraction)] : []),
@@ -139,5 +140,6 @@ export function report({ reading, extraction, opening, app, stage, folder }) {
     ...(app ? [dropTable(app), ...app.long.map(startLine), ...app.cancel.map(cancelLine)] : []),
     ...(stage ? [stageTable(stage)] : []),
     ...(folder ? [folderTable(folder)] : []),
+    ...(compare ? comparingTables(compare) : []),
   ].join('\n\n');
 }

@@ -1,29 +1,35 @@
-// `npm run bench`: how fast Keypose reads, extracts, opens and draws, beside three.js in the same page on the
-// same files. In: `--short` leaves the hour of motion out, `--runs N` (default 7), `--only PART…`. Out:
-// tables, and the same as bench/results/latest.json. What is measured how: docs/benchmarks.md.
+// `npm run bench`: how fast Keypose reads, extracts, opens, draws and compares, beside three.js in the same page on
+// the same files and beside other programs that make trees. In: `--short` leaves the hour of motion out, `--runs N`
+// (default 7), `--clips N` (3000) and `--vectors N` (10000) to compare, `--only PART…`. Out: tables, and the same
+// as bench/results/latest.json. What is measured how: docs/benchmarks.md.
 import { writeFileSync } from 'node:fs';
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { measureCancel, measureDrop, measureLongDrop, serveApp } from '../bench/app.mjs';
 import { servePage } from '../bench/browser.mjs';
+import { compareInApp, compareNatively } from '../bench/comparing.mjs';
 import { benchmarkFiles } from '../bench/files.mjs';
 import { measureFolder } from '../bench/folder.mjs';
+import { measureLinkage } from '../bench/linkage.mjs';
 import {
   measureExtraction,
   measureOpening,
   measureReading,
   measureStage,
 } from '../bench/measure.mjs';
+import { motionSet } from '../bench/motion-set.mjs';
 import { timeNatively } from '../bench/native.mjs';
 import { report } from '../bench/report.mjs';
 import { root } from './process.mjs';
 
-const parts = ['reading', 'extraction', 'opening', 'app', 'stage', 'folder'];
+const parts = ['reading', 'extraction', 'opening', 'app', 'stage', 'folder', 'compare'];
 const { values: options } = parseArgs({
   options: {
     short: { type: 'boolean', default: false },
     runs: { type: 'string', default: '7' },
+    clips: { type: 'string', default: '3000' },
+    vectors: { type: 'string', default: '10000' },
     only: { type: 'string', multiple: true, default: parts },
   },
 });
@@ -35,6 +41,9 @@ const results = join(root, 'bench', 'results');
 const DROPS = 10;
 const FIGURES = [1, 20];
 const CLIPS = 1_000;
+
+/** Workers of the page, threads of the command. */
+const WORKERS = [1, 2];
 
 /** Runs of a clip: an hour of motion is worked on three times at most. */
 const runsOf = (path) => (path.includes('432000') ? Math.min(runs, 3) : runs);
@@ -71,6 +80,20 @@ function measurements({ sets, long, samples }, native, page, app) {
     }),
     stage: () => measureStage(page, brief, FIGURES),
     folder: () => measureFolder(join(results, 'files', 'folder'), samples, CLIPS, 3),
+    compare: () => measureComparing(app),
+  };
+}
+
+/** A set compared by the command and in the app, and trees over many vectors. */
+async function measureComparing(app) {
+  const set = motionSet(join(results, 'files'), Number(options.clips));
+  return {
+    set: {
+      ...set,
+      native: await inOrder(WORKERS, (count) => compareNatively(set, count)),
+      app: await inOrder(WORKERS, (count) => compareInApp(app, set, count)),
+    },
+    linkage: measureLinkage(join(results, 'files'), Number(options.vectors), Math.min(runs, 3)),
   };
 }
 

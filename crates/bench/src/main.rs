@@ -3,11 +3,10 @@
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it is a command")]
 
-use std::hint::black_box;
 use std::process::ExitCode;
-use std::time::Instant;
 use std::{env, fs};
 
+use bench::timing::timed;
 use motion::analysis::{self, Decisions};
 use motion::bvh::Reader;
 use motion::clip::Clip;
@@ -16,9 +15,6 @@ use motion::report::json::Json;
 
 /// Bytes that the reader is given at a time, as the command gives them.
 const SLICE_BYTES: usize = 4 << 20;
-
-/// Short work is repeated within a run until the run takes this long.
-const SHORTEST_RUN_MS: f64 = 20.0;
 
 fn main() -> ExitCode {
     let mut arguments = env::args().skip(1);
@@ -69,18 +65,4 @@ fn keyposes(clip: &Clip) -> usize {
     counts
         .map(|found| found.as_ref().map_or(0, |some| some.keyposes().len()))
         .sum()
-}
-
-/// Milliseconds of one call in each run, after a call to warm up.
-fn timed<T>(runs: usize, work: impl Fn() -> T) -> Vec<f64> {
-    let repeats = (SHORTEST_RUN_MS / call_ms(1, &work).max(0.01)).ceil() as usize;
-    (0..runs).map(|_| call_ms(repeats, &work)).collect()
-}
-
-fn call_ms<T>(repeats: usize, work: &impl Fn() -> T) -> f64 {
-    let start = Instant::now();
-    for _ in 0..repeats {
-        black_box(work());
-    }
-    start.elapsed().as_secs_f64() * 1e3 / repeats as f64
 }

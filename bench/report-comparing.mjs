@@ -1,0 +1,53 @@
+// What was measured of comparing, for reading. In: the data of comparing.mjs and linkage.mjs. Out: tables as text.
+import { digits, table, told } from './statistics.mjs';
+
+const megabytes = (bytes) => (bytes === null ? '–' : (bytes / 1e6).toFixed(0));
+const seconds = (ms) => (ms / 1e3).toFixed(1);
+
+function appTable({ clips, bytes, app }) {
+  const header = [
+    `${clips} clips dropped on the app (${megabytes(bytes)} MB)`,
+    'first picture, s',
+    'full comparison, s',
+    'longest task, ms',
+    'of the start, ms',
+    'memory, MB',
+  ];
+  const rows = app.map((one) => [
+    one.workers === 1 ? '1 worker' : `${one.workers} workers`,
+    seconds(one.firstPictureMs),
+    seconds(one.comparedMs),
+    one.longestTaskMs.toFixed(0),
+    one.startTaskMs.toFixed(0),
+    megabytes(one.memoryBytes),
+  ]);
+  return table(header, rows);
+}
+
+function commandTable({ clips, native }) {
+  const header = ['`keypose compare DIR --json`', 'threads', 's', 'memory, MB'];
+  const rows = native.map((one) => [
+    `${clips} clips`,
+    one.threads,
+    digits(one.seconds),
+    megabytes(one.memoryBytes),
+  ]);
+  return table(header, rows);
+}
+
+function linkageTable(linkage) {
+  const header = ['from vectors to the tree, ms', 'vectors', 'Keypose', 'kodama', 'SciPy'];
+  const rows = linkage.map(({ method, count, keypose, kodama, scipy }) => [
+    method === 'ward' ? 'Ward' : 'group average',
+    count,
+    told(keypose),
+    told(kodama),
+    told(scipy ?? null),
+  ]);
+  return table(header, rows);
+}
+
+/** The tables of comparing. */
+export function comparingTables({ set, linkage }) {
+  return [appTable(set), commandTable(set), linkageTable(linkage)];
+}
