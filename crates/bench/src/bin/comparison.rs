@@ -3,15 +3,23 @@
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it is a command")]
 
+use std::hint::black_box;
 use std::process::ExitCode;
 use std::{env, fs};
 
 use bench::timing::once;
 use bench::vectors::{WIDTH, heaped};
+use comparison::condensed::Condensed;
+use comparison::cut::bic::bic;
+use comparison::distance::euclidean;
+use comparison::feature::Vector;
+use comparison::leaf_order::optimal;
+use comparison::linkage::{group_average, ward};
 use motion::report::json::Json;
 
 const USAGE: &str = "comparison vectors COUNT FILE
-comparison kodama ward|average COUNT";
+comparison kodama|keypose ward|average COUNT
+comparison stages COUNT RUNS";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
@@ -19,6 +27,8 @@ fn main() -> ExitCode {
     let done = match words[..] {
         ["vectors", count, path] => vectors(count, path),
         ["kodama", method, count] => by_kodama(method, count),
+        ["keypose", method, count] => by_keypose(method, count),
+        ["stages", count, runs] => stages(count, runs),
         _ => None,
     };
     let Some(line) = done else {
@@ -53,6 +63,42 @@ fn by_kodama(method: &str, count: &str) -> Option<String> {
         tree.steps().iter().map(|step| step.dissimilarity).sum()
     });
     Some(line(ms, heights))
+}
+
+fn by_keypose(method: &str, count: &str) -> Option<String> {
+    let vectors = vectors_of(count)?;
+    let make = match method {
+        "ward" => |vectors: &[Vector]| ward(vectors),
+        "average" => |vectors: &[Vector]| group_average(&condensed(vectors)),
+        _ => return None,
+    };
+    let (tree, ms) = once(|| make(&vectors));
+    Some(line(ms, tree.merges.iter().map(|merge| merge.height).sum()))
+}
+
+/// Milliseconds of each stage after the vectors, in each run.
+fn stages(count: &str, runs: &str) -> Option<String> {
+    let vectors = vectors_of(count)?;
+    let runs = runs.parse().ok()?;
+    let tree = ward(&vectors);
+    let between = |a: usize, b: usize| euclidean(&vectors[a], &vectors[b]);
+    let each = |work: &dyn Fn()| Json::list((0..runs).map(|_| once(work).1));
+    let found = Json::object([
+        ("ward", each(&|| drop(black_box(ward(&vectors))))),
+        ("order", each(&|| drop(black_box(optimal(&tree, &between))))),
+        ("clusters", each(&|| drop(black_box(bic(&vectors, &tree))))),
+    ]);
+    Some(found.text())
+}
+
+fn vectors_of(count: &str) -> Option<Vec<Vector>> {
+    let values = heaped(count.parse().ok()?);
+    let (vectors, _) = values.as_chunks::<WIDTH>();
+    Some(vectors.to_vec())
+}
+
+fn condensed(vectors: &[Vector]) -> Condensed {
+    Condensed::from_fn(vectors.len(), |a, b| euclidean(&vectors[a], &vectors[b]))
 }
 
 /// Condensed, in the order of SciPy, which is kodama's.
