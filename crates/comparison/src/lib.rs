@@ -17,6 +17,12 @@ pub mod condensed;
 pub mod cut;
 pub mod dendrogram;
 pub mod distance;
+pub mod evaluation;
+pub mod explanation;
 pub mod feature;
 pub mod leaf_order;
 pub mod linkage;
+pub mod neighbours;
+
+#[cfg(test)]
+mod test_random;
