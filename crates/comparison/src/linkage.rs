@@ -5,12 +5,14 @@
 //! chain, then the lowest number), so that their trees are SciPy's.
 
 mod chain;
+mod on_centroids;
 mod on_matrix;
 
 use crate::condensed::Condensed;
 use crate::dendrogram::Dendrogram;
 use crate::feature::Vector;
 use chain::Chain;
+use on_centroids::OnCentroids;
 use on_matrix::{GroupAverageRule, OnMatrix, WardRule};
 
 /// The Euclidean distance of two vectors.
@@ -35,31 +37,50 @@ pub fn group_average(condensed: &Condensed) -> Dendrogram {
     GroupAverageSteps::new(condensed).finish()
 }
 
+/// Up to so many vectors Ward's linkage works on the matrix of their distances as SciPy does, so that
+/// where nothing but rounding tells two distances apart it decides as SciPy's; more would take too
+/// much memory, and centroids serve.
+const MOST_ON_MATRIX: usize = 1_000;
+
 /// [`ward`] in pieces.
 pub struct WardSteps {
-    chain: Chain<OnMatrix<WardRule>>,
+    walk: WardWalk,
+}
+
+enum WardWalk {
+    OnMatrix(Chain<OnMatrix<WardRule>>),
+    OnCentroids(Chain<OnCentroids>),
 }
 
 impl WardSteps {
     /// Nothing merged yet.
     #[must_use]
     pub fn new(vectors: &[Vector]) -> Self {
-        let distance = |row: usize, column: usize| euclidean(&vectors[row], &vectors[column]);
-        let condensed = Condensed::from_fn(vectors.len(), distance);
-        Self {
-            chain: Chain::of(OnMatrix::of(condensed)),
-        }
+        let walk = if vectors.len() > MOST_ON_MATRIX {
+            WardWalk::OnCentroids(Chain::of(OnCentroids::of(vectors)))
+        } else {
+            let distance = |row: usize, column: usize| euclidean(&vectors[row], &vectors[column]);
+            let condensed = Condensed::from_fn(vectors.len(), distance);
+            WardWalk::OnMatrix(Chain::of(OnMatrix::of(condensed)))
+        };
+        Self { walk }
     }
 
     /// Goes on until about `budget` distances have been looked at; how much is done, 0 to 1.
     pub fn step(&mut self, budget: usize) -> f64 {
-        self.chain.step(budget)
+        match &mut self.walk {
+            WardWalk::OnMatrix(chain) => chain.step(budget),
+            WardWalk::OnCentroids(chain) => chain.step(budget),
+        }
     }
 
     /// Does what is left; the tree.
     #[must_use]
     pub fn finish(self) -> Dendrogram {
-        self.chain.finish()
+        match self.walk {
+            WardWalk::OnMatrix(chain) => chain.finish(),
+            WardWalk::OnCentroids(chain) => chain.finish(),
+        }
     }
 }
 

@@ -1,0 +1,80 @@
+//! Blocks of clusters in; a bound out, below which none of a block's distances from a cluster lies.
+
+use super::block::{Block, Member};
+use crate::feature::FEATURE_LENGTH;
+use wide::f64x4;
+
+/// Blocks whose bounds are found in one instruction.
+const WIDTH: usize = 4;
+
+/// Takes from a bound what rounding could add to it.
+const CAUTION: f64 = 1.0 - 1e-12;
+
+/// The boxes of four blocks.
+struct Group {
+    lows: [[f64; WIDTH]; FEATURE_LENGTH],
+    highs: [[f64; WIDTH]; FEATURE_LENGTH],
+    /// The items of the smallest cluster of every block.
+    fewest: [f64; WIDTH],
+}
+
+/// The boxes around the centroids of all blocks.
+pub(super) struct Boxes {
+    groups: Vec<Group>,
+}
+
+impl Boxes {
+    pub(super) fn of(blocks: &[Block]) -> Self {
+        let empty = || Group {
+            lows: [[f64::INFINITY; WIDTH]; FEATURE_LENGTH],
+            highs: [[f64::NEG_INFINITY; WIDTH]; FEATURE_LENGTH],
+            fewest: [1.0; WIDTH],
+        };
+        let count = blocks.len().div_ceil(WIDTH);
+        let mut boxes = Self {
+            groups: std::iter::repeat_with(empty).take(count).collect(),
+        };
+        for (index, block) in blocks.iter().enumerate() {
+            boxes.renew(index, block);
+        }
+        boxes
+    }
+
+    pub(super) fn groups(&self) -> usize {
+        self.groups.len()
+    }
+
+    /// Draws the box of a block anew; that of an empty one is infinitely far.
+    pub(super) fn renew(&mut self, index: usize, block: &Block) {
+        let (group, lane) = (&mut self.groups[index / WIDTH], index % WIDTH);
+        for k in 0..FEATURE_LENGTH {
+            group.lows[k][lane] = f64::INFINITY;
+            group.highs[k][lane] = f64::NEG_INFINITY;
+        }
+        let mut fewest = f64::INFINITY;
+        for member in block.members() {
+            fewest = fewest.min(member.items);
+            for k in 0..FEATURE_LENGTH {
+                group.lows[k][lane] = group.lows[k][lane].min(member.centroid[k]);
+                group.highs[k][lane] = group.highs[k][lane].max(member.centroid[k]);
+            }
+        }
+        group.fewest[lane] = if fewest.is_finite() { fewest } else { 1.0 };
+    }
+
+    /// Bounds of the squared distances from a cluster to those of a group's blocks.
+    pub(super) fn bounds(&self, group: usize, from: &Member, _enough: f64) -> [f64; WIDTH] {
+        let group = &self.groups[group];
+        let mut sum = f64x4::splat(0.0);
+        for (k, &coordinate) in from.centroid.iter().enumerate() {
+            let place = f64x4::splat(coordinate);
+            let below = f64x4::from(group.lows[k]) - place;
+            let above = place - f64x4::from(group.highs[k]);
+            let gap = below.fast_max(above).fast_max(f64x4::splat(0.0));
+            sum += gap * gap;
+        }
+        let (own, items) = (f64x4::splat(from.items), f64x4::from(group.fewest));
+        let weight = f64x4::splat(2.0 * from.items * CAUTION) * items / (own + items);
+        (weight * sum).to_array()
+    }
+}
