@@ -146,7 +146,7 @@ function removal({ words, clip, onRemove }: RowProps): TemplateResult {
 }
 
 export function libraryRow(props: RowProps): TemplateResult {
-  const { words, clip, open, index, count } = props;
+  const { clip, open, index, count } = props;
   const onKey = (event: KeyboardEvent): void => {
     if (event.key !== 'Delete') return;
     event.preventDefault();
