@@ -6,7 +6,7 @@ import type { BodyJoint, Role } from '../engine/types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 import type { FlatFigure } from '../figure/flat-figure';
 import { glyphPath, jointSources } from './source-glyph';
-import { standardFigure, standardPlace } from './standard-body';
+import { standardFigure, standardPlace } from '../figure/standard-body';
 
 export const figureWidth = 272;
 export const figureHeight = 206;

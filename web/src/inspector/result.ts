@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Words } from '../app/i18n/catalogue';
 import type { Anova, KeyposeResult, PerformerResult } from '../engine/types';
-import { markedText, markFor } from './marked-text';
+import { markedText, markFor } from '../common/marked-text';
 import { section } from './section';
 
 /** Below this ratio of lowest kept to highest dropped intensity, the cut is called uncertain. */

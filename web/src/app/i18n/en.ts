@@ -1,10 +1,12 @@
 /** Every sentence of the page in English. `{0}`, `{1}` … are filled; two forms go by the first number. */
 import { englishCompare } from './en-compare';
+import { englishDistance } from './en-distance';
 import { englishInspector } from './en-inspector';
 import { englishMatrix } from './en-matrix';
 
 export const en = {
   ...englishCompare,
+  ...englishDistance,
   ...englishInspector,
   ...englishMatrix,
   'language.other': '日本語',

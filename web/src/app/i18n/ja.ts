@@ -1,11 +1,13 @@
 /** Every sentence of the page in Japanese; the keys are those of `en`. */
 import type { Catalogue } from './catalogue';
 import { japaneseCompare } from './ja-compare';
+import { japaneseDistance } from './ja-distance';
 import { japaneseInspector } from './ja-inspector';
 import { japaneseMatrix } from './ja-matrix';
 
 export const ja: Catalogue = {
   ...japaneseCompare,
+  ...japaneseDistance,
   ...japaneseInspector,
   ...japaneseMatrix,
   'language.other': 'English',

@@ -1,6 +1,6 @@
 /** A standard human in a T-pose, to show on it which joint stands for which part. Lengths in body heights. */
 import type { Body, Role, Skeleton } from '../engine/types';
-import { flatFigure, type FlatFigure } from '../figure/flat-figure';
+import { flatFigure, type FlatFigure } from './flat-figure';
 
 type Place = readonly [x: number, y: number, z: number];
 type SidedPart = 'hip' | 'shoulder' | 'elbow' | 'wrist' | 'finger' | 'knee' | 'ankle' | 'toe';
