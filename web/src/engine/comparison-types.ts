@@ -59,6 +59,9 @@ export interface Comparison {
   /** Distance at which the colour legend ends: the 98.5th percentile. */
   readonly legendMaximum: number;
   readonly maximum: number;
+  /** The item nearest to each item, of equals the earlier; and how far it is. */
+  readonly nearest: Int32Array;
+  readonly nearestDistances: Float64Array;
   /** items × 2. */
   readonly map: Float64Array;
   /** Part of the spread that the map shows, 0 to 1. */
