@@ -22,6 +22,7 @@ pub mod explanation;
 pub mod feature;
 pub mod leaf_order;
 pub mod linkage;
+pub mod map;
 pub mod neighbours;
 
 #[cfg(test)]

@@ -1,0 +1,275 @@
+//! Leading eigenvectors of a symmetric matrix: its product with a vector in, eigenvalues and two axes
+//! out.
+//!
+//! Lanczos' method (1950) from a fixed start, each new vector made orthogonal to all before, twice. With
+//! as many steps as the matrix has rows every eigenvalue is found, whatever their multiplicity: where
+//! the vectors so far span an invariant space, the method goes on from a vector outside it.
+
+use super::tridiagonal::Tridiagonal;
+
+/// Below this part of the matrix' size a vector is only rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// The residual, as a part of the largest eigenvalue, at which an axis is found.
+const CONVERGED: f64 = 1e-13;
+
+/// Steps between two looks at what is found.
+const STEPS_A_LOOK: usize = 10;
+
+/// What is known of the eigenvalues.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spectrum {
+    /// All eigenvalues if there were as many steps as rows, else approximations of those at the ends,
+    /// in descending order.
+    pub values: Vec<f64>,
+    /// The unit eigenvectors of the two largest; zeros where there are not so many.
+    pub axes: [Vec<f64>; 2],
+}
+
+/// The spectrum of the matrix of `size` rows that `apply` multiplies a vector (first argument) by: all of
+/// it if `most_steps` products are enough for that, else the leading part.
+pub fn spectrum(size: usize, most_steps: usize, apply: impl FnMut(&[f64], &mut [f64])) -> Spectrum {
+    let mut run = Run::new(size, apply);
+    let most = most_steps.min(size);
+    while run.basis.len() < most && run.step() {
+        let steps = run.basis.len();
+        let is_look = most < size && steps.is_multiple_of(STEPS_A_LOOK);
+        if is_look && let Some(found) = run.converged() {
+            return found;
+        }
+    }
+    run.found(&run.tridiagonal.eigen())
+}
+
+struct Run<Apply> {
+    size: usize,
+    apply: Apply,
+    /// Orthogonal unit vectors.
+    basis: Vec<Vec<f64>>,
+    /// The next one, and how large it was.
+    next: Option<(Vec<f64>, f64)>,
+    tridiagonal: Tridiagonal,
+    start: Start,
+    /// The largest number of the tridiagonal matrix.
+    scale: f64,
+}
+
+impl<Apply: FnMut(&[f64], &mut [f64])> Run<Apply> {
+    fn new(size: usize, apply: Apply) -> Self {
+        Self {
+            size,
+            apply,
+            basis: Vec::new(),
+            next: None,
+            tridiagonal: Tridiagonal::default(),
+            start: Start::default(),
+            scale: 0.0,
+        }
+    }
+
+    /// Adds a vector to the basis; says whether there was one.
+    fn step(&mut self) -> bool {
+        let Some((vector, coupling)) = self.next.take().or_else(|| self.outside()) else {
+            return false;
+        };
+        let mut product = vec![0.0; self.size];
+        (self.apply)(&vector, &mut product);
+        let diagonal = dot(&product, &vector);
+        self.tridiagonal.push(diagonal, coupling);
+        self.basis.push(vector);
+        self.scale = self.scale.max(diagonal.abs()).max(coupling);
+        self.make_orthogonal(&mut product);
+        let length = dot(&product, &product).sqrt();
+        self.scale = self.scale.max(length);
+        if length > ROUNDING * self.scale {
+            divide(&mut product, length);
+            self.next = Some((product, length));
+        }
+        true
+    }
+
+    /// A unit vector outside the space of the basis, with its coupling of 0; none if that is all.
+    fn outside(&mut self) -> Option<(Vec<f64>, f64)> {
+        while self.basis.len() < self.size {
+            let mut vector: Vec<f64> = (0..self.size).map(|_| self.start.next()).collect();
+            let before = dot(&vector, &vector).sqrt();
+            self.make_orthogonal(&mut vector);
+            let length = dot(&vector, &vector).sqrt();
+            if length > 1e-6 * before {
+                divide(&mut vector, length);
+                // Once more, for what the division has made larger.
+                self.make_orthogonal(&mut vector);
+                return Some((vector, 0.0));
+            }
+        }
+        None
+    }
+
+    fn make_orthogonal(&self, vector: &mut [f64]) {
+        for _ in 0..2 {
+            for axis in &self.basis {
+                let along = dot(axis, vector);
+                for (value, axis) in vector.iter_mut().zip(axis) {
+                    *value -= along * axis;
+                }
+            }
+        }
+    }
+
+    /// What is found, if it would not change with more steps.
+    fn converged(&self) -> Option<Spectrum> {
+        let (_, coupling) = self.next.as_ref()?;
+        let eigen = self.tridiagonal.eigen();
+        let largest = eigen.first()?.0.abs();
+        let is_found = |(_, vector): &(f64, Vec<f64>)| {
+            let residual = vector.last().map_or(0.0, |last| last.abs() * coupling);
+            residual <= CONVERGED * largest
+        };
+        eigen
+            .iter()
+            .take(2)
+            .all(is_found)
+            .then(|| self.found(&eigen))
+    }
+
+    fn found(&self, eigen: &[(f64, Vec<f64>)]) -> Spectrum {
+        let axis = |index: usize| {
+            let mut axis = vec![0.0; self.size];
+            let weights = eigen.get(index).map_or(&[][..], |(_, vector)| vector);
+            for (weight, vector) in weights.iter().zip(&self.basis) {
+                for (sum, value) in axis.iter_mut().zip(vector) {
+                    *sum += weight * value;
+                }
+            }
+            axis
+        };
+        Spectrum {
+            values: eigen.iter().map(|(value, _)| *value).collect(),
+            axes: [axis(0), axis(1)],
+        }
+    }
+}
+
+/// Numbers from −1 to 1 without a pattern, the same ones every time (xorshift64).
+struct Start(u64);
+
+impl Default for Start {
+    fn default() -> Self {
+        Start(0x9E37_79B9_7F4A_7C15)
+    }
+}
+
+impl Start {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+}
+
+fn divide(vector: &mut [f64], length: f64) {
+    for value in vector {
+        *value /= length;
+    }
+}
+
+/// In four lanes, added in their order.
+fn dot(one: &[f64], other: &[f64]) -> f64 {
+    let mut lanes = [0.0; 4];
+    let (ones, one_rest) = one.as_chunks::<4>();
+    let (others, other_rest) = other.as_chunks::<4>();
+    for (one, other) in ones.iter().zip(others) {
+        for lane in 0..4 {
+            lanes[lane] += one[lane] * other[lane];
+        }
+    }
+    let rest = one_rest.iter().zip(other_rest);
+    let rest = rest.fold(0.0, |sum, (one, other)| sum + one * other);
+    lanes[0] + lanes[1] + lanes[2] + lanes[3] + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(rows: &[&[f64]]) -> Spectrum {
+        spectrum(rows.len(), rows.len(), |from, to| {
+            for (value, row) in to.iter_mut().zip(rows) {
+                *value = dot(row, from);
+            }
+        })
+    }
+
+    #[test]
+    fn a_small_matrix_by_hand() {
+        // Eigenvalues 3 along (1, 1), 1 along (1, −1), −2 along the third axis.
+        let found = of(&[&[2.0, 1.0, 0.0], &[1.0, 2.0, 0.0], &[0.0, 0.0, -2.0]]);
+        for (value, expected) in found.values.iter().zip([3.0, 1.0, -2.0]) {
+            assert!((value - expected).abs() < 1e-13, "{:?}", found.values);
+        }
+        let half = 0.5_f64.sqrt();
+        let [first, second] = &found.axes;
+        assert!((first[0] * first[1] - 0.5).abs() < 1e-13 && first[2].abs() < 1e-13);
+        assert!((second[0].abs() - half).abs() < 1e-13 && (second[0] + second[1]).abs() < 1e-13);
+    }
+
+    #[test]
+    fn equal_eigenvalues_are_all_found() {
+        let rows: Vec<Vec<f64>> = (0..5)
+            .map(|row| {
+                (0..5)
+                    .map(|column| if row == column { 2.0 } else { 0.0 })
+                    .collect()
+            })
+            .collect();
+        let rows: Vec<&[f64]> = rows.iter().map(Vec::as_slice).collect();
+        let found = of(&rows);
+        assert_eq!(found.values.len(), 5);
+        assert!(found.values.iter().all(|value| (value - 2.0).abs() < 1e-14));
+        assert!(dot(&found.axes[0], &found.axes[1]).abs() < 1e-14);
+    }
+
+    #[test]
+    fn nothing_and_zeros() {
+        let none = spectrum(0, 0, |_, _| {});
+        assert_eq!((none.values.len(), none.axes[0].len()), (0, 0));
+        let zeros = of(&[&[0.0, 0.0], &[0.0, 0.0]]);
+        assert_eq!(zeros.values, [0.0; 2]);
+        let one = of(&[&[7.0]]);
+        assert_eq!(one.values, [7.0]);
+        assert_eq!(one.axes[1], [0.0]);
+    }
+
+    #[test]
+    fn fewer_steps_find_the_same_axes_of_a_large_matrix() {
+        // Eigenvalues 1, 0.8, 0.6, and 0.5 downwards: a turned diagonal I − 2uuᵀ.
+        let size = 300;
+        let diagonal = |index: usize| match index {
+            0..3 => 1.0 - 0.2 * index as f64,
+            _ => 0.5 - index as f64 * 1e-3,
+        };
+        let unit = 1.0 / (size as f64).sqrt();
+        let turn = |vector: &mut [f64]| {
+            let along = vector.iter().fold(0.0, |sum, value| sum + value * unit);
+            for value in vector {
+                *value -= 2.0 * along * unit;
+            }
+        };
+        let found = spectrum(size, 120, |from, to| {
+            to.copy_from_slice(from);
+            turn(to);
+            for (index, value) in to.iter_mut().enumerate() {
+                *value *= diagonal(index);
+            }
+            turn(to);
+        });
+        assert!(found.values.len() < 120, "{} steps", found.values.len());
+        for (axis, value) in [1.0, 0.8].into_iter().enumerate() {
+            assert!((found.values[axis] - value).abs() < 1e-13);
+            let mut turned = found.axes[axis].clone();
+            turn(&mut turned);
+            assert!((turned[axis].abs() - 1.0).abs() < 1e-13);
+        }
+    }
+}
