@@ -62,5 +62,6 @@ export const englishMatrix = {
   'map.help':
     'Arrow keys go to the nearest clip in that direction, Enter chooses the first clip of the pair, Shift+Enter the second.',
   'map.point': '{0}, {1}, cluster {2}',
+  'map.cluster': 'cluster {0}',
   'map.legend': 'Labels',
 } satisfies Readonly<Record<string, Message>>;

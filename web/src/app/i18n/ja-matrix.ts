@@ -63,5 +63,6 @@ export const japaneseMatrix: Readonly<Record<keyof typeof englishMatrix, Message
   'map.help':
     '矢印キーでその方向の最も近いクリップへ、Enter で一つ目、Shift+Enter で二つ目のクリップを選びます。',
   'map.point': '{0}、{1}、クラスタ {2}',
+  'map.cluster': 'クラスタ {0}',
   'map.legend': 'ラベル',
 };

@@ -1,0 +1,103 @@
+/** What the views of the page Compare read together: the scene, the selection, what is hovered. */
+import { computed, effect, type ReadonlySignal } from '@preact/signals-core';
+import type { Context } from '../app/context';
+import type { ClipPair } from '../app/compare-store';
+import type { ClipId } from '../engine/types';
+import { comparePalette, type ComparePalette } from './compare-palette';
+import { HoverFacts } from './hover-facts';
+import { PictureSource } from './picture-source';
+import { sceneOf, type Scene } from './scene';
+
+/** Items of a scene; null: not in it. */
+export interface ItemPair {
+  readonly a: number | null;
+  readonly b: number | null;
+}
+
+export interface Shared {
+  readonly context: Context;
+  /** null until something has been compared; the latest whose picture is there. */
+  readonly scene: ReadonlySignal<Scene | null>;
+  readonly pictures: PictureSource;
+  readonly facts: HoverFacts;
+  readonly palette: ReadonlySignal<ComparePalette>;
+  readonly selected: ReadonlySignal<ItemPair>;
+  /** One clip alone is hovered as a pair with itself. */
+  readonly hovered: ReadonlySignal<ItemPair | null>;
+}
+
+export type Labels = ReadonlySignal<ReadonlyMap<ClipId, string | null>>;
+
+export function createShared(place: Element, context: Context, labels: Labels): Shared {
+  const { store, theme } = context;
+  const { comparison, cut, order, otherId, hovered } = store.compare;
+  const pictures = new PictureSource(context.comparer);
+  const facts = new HoverFacts(context.comparer);
+  const { scene } = pictures;
+  const latest = computed(() =>
+    comparison.value
+      ? sceneOf({
+          comparison: comparison.value,
+          cut: cut.value,
+          kind: order.value,
+          // A clip of a comparison keeps its name: what else is told of clips changes while they load.
+          clips: store.clips.peek(),
+          labels: labels.value,
+        })
+      : null,
+  );
+  effect(() => pictures.follow(latest.value));
+  effect(() => {
+    void comparison.value;
+    facts.forget();
+  });
+  const item = (id: ClipId | null): number | null =>
+    id === null ? null : (scene.value?.itemOfClip.get(id) ?? null);
+  const items = ({ a, b }: ClipPair): ItemPair => ({ a: item(a), b: item(b) });
+  return {
+    context,
+    scene,
+    pictures,
+    facts,
+    palette: computed(() => {
+      void theme.theme.value;
+      return comparePalette(place);
+    }),
+    selected: computed(() => ({ a: item(store.openId.value), b: item(otherId.value) })),
+    hovered: computed(() => (hovered.value ? items(hovered.value) : null)),
+  };
+}
+
+const clipOf = ({ scene }: Shared, item: number): ClipId | undefined =>
+  scene.peek()?.comparison.clips[item];
+
+/** Says what is hovered, by items; null: nothing. */
+export function hover(shared: Shared, pair: { a: number; b: number } | null): void {
+  const { hovered } = shared.context.store.compare;
+  const [a, b] = pair ? [clipOf(shared, pair.a), clipOf(shared, pair.b)] : [];
+  const before = hovered.peek();
+  if (a === undefined || b === undefined) hovered.value = null;
+  else if (before?.a !== a || before.b !== b) hovered.value = { a, b };
+}
+
+/** Selects one clip as the first, or as the second, of the pair. */
+export function choose(shared: Shared, item: number, as: 'a' | 'b'): void {
+  const { actions, compareActions } = shared.context;
+  const id = clipOf(shared, item);
+  if (id === undefined) return;
+  if (as === 'a') actions.openClip(id);
+  else compareActions.selectOther(id);
+}
+
+/** Selects both; a clip with itself selects the clip alone. */
+export function choosePair(shared: Shared, a: number, b: number): void {
+  if (a === b) return choose(shared, a, 'a');
+  const [idA, idB] = [clipOf(shared, a), clipOf(shared, b)];
+  if (idA !== undefined && idB !== undefined) shared.context.compareActions.selectPair(idA, idB);
+}
+
+export function openPair(shared: Shared, a: number, b: number): void {
+  if (a === b) return;
+  choosePair(shared, a, b);
+  shared.context.compareActions.showPage('pair');
+}
