@@ -1,5 +1,4 @@
 /** The tokens of the theme in; the colours that matrix, tree and map are drawn in out. */
-import { labelLook } from './scene';
 
 export interface ComparePalette {
   readonly ink: string;
@@ -45,4 +44,4 @@ export function comparePalette(element: Element): ComparePalette {
 
 /** The colour of a label; −1: of clips without one, and of branches with several. */
 export const labelColour = (palette: ComparePalette, label: number): string =>
-  palette.labels[labelLook(label).colour] ?? palette.text3;
+  label < 0 ? palette.text3 : palette.labels[label % palette.labels.length];

@@ -1,11 +1,12 @@
 /** The scene, its geometry and a picture in; cells, label ticks and numbers of clusters on a canvas out. */
+import { labelStyle } from '../app/labels';
 import { prepareCanvas } from '../timeline/canvas';
 import { labelColour, type ComparePalette } from './compare-palette';
 import { pixelOf, rgbOf } from './colour-scale';
 import { positionsUnder } from './matrix-axis';
 import { topPx, type MatrixGeometry } from './matrix-geometry';
 import { paintMatrix, type PlacedPicture } from './matrix-pixels';
-import { labelLook, type Scene } from './scene';
+import type { Scene } from './scene';
 
 export interface MatrixDrawing {
   readonly scene: Scene;
@@ -101,7 +102,7 @@ function drawTicks(context: CanvasRenderingContext2D, drawing: MatrixDrawing): v
     const x = axis.start(position) - zoom.x;
     const width = Math.max(axis.cell - space, 0.5);
     context.fillRect(x, top, width, tickPx.height);
-    if (labelLook(label).open && space)
+    if (labelStyle(label).open && space)
       context.clearRect(x + 1, top + 1, width - 2, tickPx.height - 2);
   }
   context.restore();

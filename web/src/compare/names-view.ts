@@ -7,7 +7,7 @@ import { positionsInSight } from './matrix-canvas';
 import { topPx, type MatrixGeometry } from './matrix-geometry';
 import type { Scene } from './scene';
 import { choose, hover, type ItemPair, type Shared } from './shared';
-import { swatch } from './swatch';
+import { itemMark } from './item-mark';
 
 export interface NamesState {
   readonly scene: Scene;
@@ -101,7 +101,7 @@ export class NamesView {
       tabindex=${position === this.stop ? 0 : -1}
       ${styled({ top: `${top}px`, height: `${height}px`, 'line-height': `${height}px` })}
     >
-      ${named ? html`${swatch(scene.labelOfItem[item], 8)}<span>${scene.names[item]}</span>` : nothing}
+      ${named ? html`${itemMark(scene.labelOfItem[item])}<span>${scene.names[item]}</span>` : nothing}
     </div>`;
   }
 
@@ -115,7 +115,7 @@ export class NamesView {
     const line = (position: number): TemplateResult => {
       const shown = scene.order[position];
       return html`<div class=${shown === item ? 'here' : ''}>
-        ${swatch(scene.labelOfItem[shown], 8)}<span>${scene.names[shown]}</span>
+        ${itemMark(scene.labelOfItem[shown])}<span>${scene.names[shown]}</span>
       </div>`;
     };
     render(html`${positions.map(line)}`, this.lens);

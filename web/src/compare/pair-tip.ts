@@ -10,7 +10,7 @@ import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 import type { Box } from './map-layout';
 import type { Scene } from './scene';
 import type { Shared } from './shared';
-import { swatch } from './swatch';
+import { itemMark } from './item-mark';
 
 const figurePx = { width: 56, height: 62, padding: 4 };
 const gapPx = 12;
@@ -48,7 +48,7 @@ export class PairTip {
   private content(scene: Scene, { a, b }: TipPlace, known: Explanation | null): TemplateResult {
     const words = this.shared.context.language.words.value;
     const named = (item: number): TemplateResult =>
-      html`${swatch(scene.labelOfItem[item])}<span class="tip-name">${scene.names[item]}</span>`;
+      html`${itemMark(scene.labelOfItem[item])}<span class="tip-name">${scene.names[item]}</span>`;
     if (a === b)
       return html`<div class="tip-figures">${this.figure(scene, a)}</div>
         <div class="tip-names">${named(a)}</div>

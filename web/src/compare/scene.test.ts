@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { clusterNumber, labelLook } from './scene';
+import { clusterNumber } from './scene';
 import { testCut, testScene } from './test-scene';
 
 test('a scene knows names without their ending, labels and the positions of the items', () => {
@@ -15,9 +15,4 @@ test('a scene knows names without their ending, labels and the positions of the 
 test('the cut of an older comparison is not taken', () => {
   const cut = { ...testCut, clusterOfItem: Int32Array.of(0, 1) };
   expect(testScene({ cut }).cut).toBeNull();
-});
-
-test('beyond six labels colours repeat with open shapes', () => {
-  expect(labelLook(6)).toEqual({ ...labelLook(0), open: true });
-  expect(labelLook(-1).colour).toBe(-1);
 });

@@ -4,7 +4,6 @@ import type { MatrixOrder } from '../app/compare-store';
 import type { Comparison, Cut } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { orderItems, type Ordering } from './item-order';
-import { labelShapes, type LabelShape } from './label-shape';
 import { treeNodes, type TreeNodes } from './tree-layout';
 
 export interface Scene extends Ordering {
@@ -14,7 +13,7 @@ export interface Scene extends Ordering {
   readonly count: number;
   /** File names without their ending, by item. */
   readonly names: readonly string[];
-  /** Distinct labels in order of their first item. */
+  /** Every label of the library once; its place gives it colour and shape. */
   readonly labels: readonly string[];
   /** −1: no label. */
   readonly labelOfItem: Int32Array;
@@ -28,6 +27,7 @@ export interface SceneParts {
   readonly kind: MatrixOrder;
   readonly clips: readonly Clip[];
   readonly labels: ReadonlyMap<ClipId, string | null>;
+  readonly labelNames: readonly string[];
 }
 
 export const plainName = (name: string): string => name.replace(/\.bvh$/i, '');
@@ -41,9 +41,12 @@ export function sceneOf(parts: SceneParts): Scene {
   const { clips: ids, tree } = comparison;
   const names = Array.from(ids, (id) => plainName(clips[id]?.source.name ?? ''));
   const labelOf = Array.from(ids, (id) => parts.labels.get(id) ?? null);
-  const labels = [...new Set(labelOf.filter((label) => label !== null))];
+  const labels = parts.labelNames;
   const indexOf = new Map(labels.map((label, index) => [label, index]));
-  const labelOfItem = Int32Array.from(labelOf, (label) => indexOf.get(label ?? '') ?? -1);
+  const labelOfItem = Int32Array.from(
+    labelOf,
+    (label) => (label === null ? undefined : indexOf.get(label)) ?? -1,
+  );
   const cut = fittingCut(parts);
   const clusterOfItem = cut?.clusterOfItem ?? null;
   const items = { leaves: tree.leaves, names, labels, labelOfItem, clusterOfItem };
@@ -65,21 +68,3 @@ export function sceneOf(parts: SceneParts): Scene {
 /** The cluster of an item, from 1 in the order of the tree. */
 export const clusterNumber = ({ cut }: Scene, item: number): number =>
   (cut?.clusterOfItem[item] ?? 0) + 1;
-
-export interface LabelLook {
-  /** Index of the colour among the tokens `--label-0` …; −1: no label. */
-  readonly colour: number;
-  readonly shape: LabelShape;
-  /** Beyond six labels colours repeat with open shapes. */
-  readonly open: boolean;
-}
-
-export function labelLook(label: number): LabelLook {
-  if (label < 0) return { colour: -1, shape: 'circle', open: false };
-  const place = label % labelShapes.length;
-  return {
-    colour: place,
-    shape: labelShapes[place],
-    open: Math.floor(label / labelShapes.length) % 2 === 1,
-  };
-}

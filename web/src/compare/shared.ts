@@ -26,9 +26,7 @@ export interface Shared {
   readonly hovered: ReadonlySignal<ItemPair | null>;
 }
 
-export type Labels = ReadonlySignal<ReadonlyMap<ClipId, string | null>>;
-
-export function createShared(place: Element, context: Context, labels: Labels): Shared {
+export function createShared(place: Element, context: Context): Shared {
   const { store, theme } = context;
   const { comparison, cut, order, otherId, hovered } = store.compare;
   const pictures = new PictureSource(context.comparer);
@@ -42,7 +40,8 @@ export function createShared(place: Element, context: Context, labels: Labels): 
           kind: order.value,
           // A clip of a comparison keeps its name: what else is told of clips changes while they load.
           clips: store.clips.peek(),
-          labels: labels.value,
+          labels: store.labels.value,
+          labelNames: store.labelNames.value,
         })
       : null,
   );

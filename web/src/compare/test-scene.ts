@@ -41,6 +41,7 @@ export function testScene(parts: Partial<SceneParts> = {}): Scene {
       [2, 'run'],
       [3, null],
     ]),
+    labelNames: ['walk', 'run'],
     ...parts,
   });
 }
