@@ -5,6 +5,7 @@ import { frameOf, type Frames, type StagePerformer } from './figure-set';
 import { readPalette } from './palette';
 import { Picker } from './picker';
 import { Quality } from './quality';
+import { sameWorld } from './same-world';
 import type { StageMetrics, StageProps } from './stage-props';
 import { StageScene } from './stage-scene';
 import { StageTags } from './stage-tags';
@@ -335,20 +336,4 @@ export class Drawing {
 /** A click turns the figure and leaves the keyboard where it was; Tab brings it here. */
 function keepFocus(event: MouseEvent): void {
   event.preventDefault();
-}
-
-/** The same recording in the same frame, analysed anew perhaps: the camera may stay where it is. */
-function sameWorld(now: readonly StagePerformer[], before: readonly StagePerformer[]): boolean {
-  return (
-    now.length === before.length &&
-    now.every(
-      (performer, i) =>
-        performer.source.frames === before[i].source.frames &&
-        performer.source.jointCount === before[i].source.jointCount &&
-        performer.up.axis === before[i].up.axis &&
-        performer.groundHeight === before[i].groundHeight &&
-        performer.placement === before[i].placement &&
-        performer.body.height === before[i].body.height,
-    )
-  );
 }

@@ -103,6 +103,8 @@ const TINTED: readonly Property[] = [
   '--label-3',
   '--label-5',
 ];
+/** Beyond so many clips colours come again; letters do not. */
+export const TINT_COUNT = TINTED.length;
 /** How much of the trunk's own colour is left in a tinted body. */
 const TRUNK_LEFT = 0.35;
 

@@ -3,6 +3,7 @@ import { type PerspectiveCamera, Vector3 } from 'three';
 import { performerLetter } from '../figure/performer-letter';
 import type { StageProps } from './stage-props';
 import type { StageScene } from './stage-scene';
+import { TINT_COUNT } from './palette';
 import { layTags, TAG_HEIGHT, type TagArea, type TagPlace } from './tag-layout';
 
 /** Below the place where the figure stands, above its highest joint; CSS pixels, body heights. */
@@ -33,6 +34,11 @@ class Tag implements TagPlace {
     if (this.element.textContent === text) return;
     this.element.textContent = text;
     this.width = Math.max(TAG_WIDTH, 8 + DIGIT_WIDTH * text.length);
+  }
+
+  setTint(tint: number | undefined): void {
+    if (tint === undefined) delete this.element.dataset['tint'];
+    else this.element.dataset['tint'] = String(tint % TINT_COUNT);
   }
 
   /** Puts the element where the layout left the tag. */
@@ -70,8 +76,7 @@ export class StageTags {
       const tag = this.letters[i] ?? this.letterTag(i);
       tag.element.setAttribute('aria-pressed', String(i === chosen));
       tag.element.setAttribute('aria-label', performerName?.(i) ?? performerLetter(i));
-      if (performers[i].tint !== undefined)
-        tag.element.dataset['tint'] = String(performers[i].tint);
+      tag.setTint(performers[i].tint);
       tag.element.onclick = () => onChoose?.(i);
       return tag;
     });
