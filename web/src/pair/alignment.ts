@@ -17,9 +17,14 @@ export interface WarpingPath {
 
 export class Alignment {
   readonly durationS: number;
+  /** While both A and B run. */
+  readonly common: { readonly fromS: number; readonly toS: number };
 
   constructor(private readonly curves: readonly Rising[]) {
+    const both = curves.slice(0, 2);
     this.durationS = Math.max(0, ...curves.map(({ end }) => end));
+    const fromS = Math.max(0, ...both.map(({ begin }) => begin));
+    this.common = { fromS, toS: Math.max(fromS, Math.min(...both.map(({ end }) => end))) };
   }
 
   /** The moment of a clip; one that has ended, or not begun, stands still. */

@@ -1,6 +1,8 @@
 /** Pure: lines that rise or stand, by which one time is told from another. */
 /** A rising line: its value anywhere, and back. */
 export interface Rising {
+  /** Where it begins. */
+  readonly begin: number;
   /** Where it ends. */
   readonly end: number;
   /** The value at a place; before the first and after the last place theirs. */
@@ -15,6 +17,10 @@ export class Curve implements Rising {
     private readonly places: ArrayLike<number>,
     private readonly values: ArrayLike<number>,
   ) {}
+
+  get begin(): number {
+    return this.places[0] ?? 0;
+  }
 
   get end(): number {
     return this.places[this.places.length - 1] ?? 0;
@@ -39,6 +45,10 @@ export class Chained implements Rising {
     private readonly outer: Rising,
     private readonly inner: Rising,
   ) {}
+
+  get begin(): number {
+    return this.inner.begin;
+  }
 
   get end(): number {
     return this.inner.end;

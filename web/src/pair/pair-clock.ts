@@ -32,9 +32,8 @@ export class PairClock {
 
   constructor(private readonly onChange: () => void) {}
 
-  /** Other clips or another alignment; A stays at its moment, and so do speed and loop where they can. */
-  load(clips: readonly ClipLength[], alignment: Alignment): void {
-    const timeA = this.timeOf(0);
+  /** Other clips or another alignment, A at a moment, by default where it is; speed and looping stay. */
+  load(clips: readonly ClipLength[], alignment: Alignment, timeA = this.timeOf(0)): void {
     const { speed, looping, playing } = this.clock;
     this.endListening();
     this.clips = clips;
@@ -138,7 +137,7 @@ export class PairClock {
     this.clock.setLoop(null);
   }
 
-  private timeOf(clip: number): number {
+  timeOf(clip: number): number {
     return this.alignment.timeOf(clip, this.clock.timeS);
   }
 }
