@@ -1,5 +1,6 @@
 /** In: the theme's CSS custom properties at an element. Out: colours and lights for the stage. */
 import { Color, SRGBColorSpace, Vector3 } from 'three';
+import { CLIP_TINTS } from '../figure/tints';
 
 export type Theme = 'light' | 'dark';
 
@@ -20,7 +21,7 @@ export interface Palette {
   readonly left: Color;
   readonly right: Color;
   readonly trunk: Color;
-  /** Bodies of different clips: the first is A's, the second B's. */
+  /** Bodies of different clips, in the order of tints.ts. */
   readonly tints: readonly BodyColours[];
   /** All of a body while it rests before the motion. */
   readonly rest: Color;
@@ -94,17 +95,6 @@ const FALLBACK = {
 
 type Property = keyof typeof FALLBACK;
 
-/** A's, B's, and those of labels that are not nearly one of these. */
-const TINTED: readonly Property[] = [
-  '--performer-a',
-  '--performer-b',
-  '--label-0',
-  '--label-1',
-  '--label-3',
-  '--label-5',
-];
-/** Beyond so many clips colours come again; letters do not. */
-export const TINT_COUNT = TINTED.length;
 /** How much of the trunk's own colour is left in a tinted body. */
 const TRUNK_LEFT = 0.35;
 
@@ -118,7 +108,7 @@ export function readPalette(element: Element, theme: Theme): Palette {
     left: tinted(read('--left'), TINTS[theme].limbs),
     right: tinted(read('--right'), TINTS[theme].limbs),
     trunk: tinted(read('--trunk'), TINTS[theme].trunk),
-    tints: TINTED.map((name) => bodyOf(read(name), read('--trunk'), TINTS[theme])),
+    tints: CLIP_TINTS.map((name) => bodyOf(read(name), read('--trunk'), TINTS[theme])),
     rest: tinted(read('--line3'), TINTS[theme].rest),
     stageTop: read('--stage-a').convertLinearToSRGB(),
     stageBottom: read('--stage-b').convertLinearToSRGB(),

@@ -1,9 +1,9 @@
 /** In: figures and ghosts, their names, the camera. Out: numbers on the ground under them, letters above performers. */
 import { type PerspectiveCamera, Vector3 } from 'three';
 import { performerLetter } from '../figure/performer-letter';
+import { tintOf } from '../figure/tints';
 import type { StageProps } from './stage-props';
 import type { StageScene } from './stage-scene';
-import { TINT_COUNT } from './palette';
 import { layTags, TAG_HEIGHT, type TagArea, type TagPlace } from './tag-layout';
 
 /** Below the place where the figure stands, above its highest joint; CSS pixels, body heights. */
@@ -38,7 +38,7 @@ class Tag implements TagPlace {
 
   setTint(tint: number | undefined): void {
     if (tint === undefined) delete this.element.dataset['tint'];
-    else this.element.dataset['tint'] = String(tint % TINT_COUNT);
+    else this.element.dataset['tint'] = String(tintOf(tint));
   }
 
   /** Puts the element where the layout left the tag. */

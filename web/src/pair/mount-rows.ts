@@ -1,0 +1,256 @@
+/** The state of the pair page in; its rows under the stage out: strips, pins, speeds, ribbon, ahead, differences. */
+import { computed, signal, type ReadonlySignal } from '@preact/signals-core';
+import { html } from 'lit-html';
+import type { Context } from '../app/context';
+import { element } from '../common/element';
+import { follow, mount } from '../common/mount';
+import { keyposeText, timelineText } from '../study/study-text';
+import { createKeyposePoses } from '../study/keypose-poses';
+import type { Axis } from '../timeline/axis';
+import { watchPixelRatio } from '../timeline/canvas';
+import { layoutPins } from '../timeline/pin-layout';
+import { PinRow } from '../timeline/pin-row';
+import { aheadOutline } from './ahead';
+import { differenceShades } from './difference';
+import { drawDifference } from './difference-canvas';
+import type { PairClip } from './pair-clips';
+import { pairGraph, type GraphClip } from './pair-graph';
+import { PairPlayhead } from './pair-playhead';
+import type { PairState } from './pair-state';
+import { PairStrip } from './pair-strip';
+import { keyposeLines, matchingLines } from './ribbon';
+import { rowLabels } from './row-labels';
+import { alignmentText, speedAt, warpingText } from './row-words';
+import { axesOf, rows, ROWS_HEIGHT, type RowPlace } from './rows-layout';
+import { listenToRows } from './rows-pointer';
+import { speedOutline } from './speed-outline';
+import { pairYaw } from './stands';
+
+/** A and B with their axes; null while there are fewer. */
+export interface Two {
+  readonly a: PairClip;
+  readonly b: PairClip;
+  readonly axes: readonly [Axis, Axis];
+}
+
+export type TwoSignal = ReadonlySignal<Two | null>;
+
+export function mountRows(place: HTMLElement, context: Context, state: PairState): void {
+  const gutter = element('div', 'pair-gutter');
+  const area = element('div', 'pair-area');
+  place.append(gutter, area);
+  area.style.height = gutter.style.height = `${ROWS_HEIGHT}px`;
+  const width = signal(0);
+  new ResizeObserver(() => {
+    width.value = Math.max(0, area.clientWidth);
+  }).observe(area);
+  const two = computed((): Two | null => {
+    const [a, b] = state.clips.value;
+    if (!a || !b || width.value === 0) return null;
+    const [axisA, axisB] = axesOf([a, b], width.value);
+    return { a, b, axes: [axisA, axisB] };
+  });
+  follow(() => {
+    place.hidden = state.clips.value.length < 2;
+  });
+  showLabels(gutter, context, state);
+  showGraph(area, context, state, two);
+  showDifference(area, context, state, two);
+  for (const clip of [0, 1] as const) {
+    showStrip(area, clip, context, state, two);
+    showPins(area, clip, context, state, two);
+  }
+  showPlayhead(area, context, state, two);
+  listenToRows(area, state, two);
+}
+
+function showLabels(gutter: HTMLElement, context: Context, state: PairState): void {
+  const { store, language } = context;
+  mount(gutter, () => {
+    const [a, b] = state.clips.value;
+    if (!a || !b) return html``;
+    const words = language.words.value;
+    const { frames } = state.moment.value;
+    return rowLabels({
+      words,
+      a,
+      b,
+      speeds: [speedAt(a, frames[0] ?? 0), speedAt(b, frames[1] ?? 0)],
+      alignment: alignmentText(words, store.compare.synchronisation.value, state),
+      warping: warpingText(words, state),
+    });
+  });
+}
+
+function showGraph(area: HTMLElement, context: Context, state: PairState, two: TwoSignal): void {
+  const place = element('div', 'pair-graph-place');
+  area.append(place);
+  mount(place, () => {
+    const shown = two.value;
+    if (!shown) return html``;
+    const { a, b, axes } = shown;
+    const { t, format } = context.language.words.value;
+    const warping = state.warping.value;
+    const alignment = state.alignment.value;
+    const ahead = warping && aheadOutline(warping, axes[1]);
+    const [ribbonA, ribbonB] = [
+      { ...a, axis: axes[0] },
+      { ...b, axis: axes[1] },
+    ];
+    const [graphA, graphB] = speeds(shown);
+    return pairGraph({
+      width: axes[0].width,
+      a: graphA,
+      b: graphB,
+      lines: matchingLines(alignment, ribbonA, ribbonB),
+      keyposeLines: keyposeLines(alignment, a.keyposes, ribbonA, ribbonB),
+      ahead,
+      aheadText: [t('pair.ahead.most', format.integer(Math.round(100 * (ahead?.most ?? 0)))), 'B'],
+      withUnit: (seconds) => t('unit.seconds', seconds),
+    });
+  });
+}
+
+function speeds({ a, b, axes }: Two): readonly [GraphClip, GraphClip] {
+  const results = [a.performer.keyposes, b.performer.keyposes];
+  const maximum = Math.max(...results.map((result) => result?.maximumSpeed ?? 0));
+  const graph = ({ frameTimeS }: PairClip, i: 0 | 1, row: RowPlace): GraphClip => ({
+    axis: axes[i],
+    frameTimeS,
+    speed: results[i] && speedOutline(results[i], axes[i], row, maximum),
+  });
+  return [graph(a, 0, rows.speedA), graph(b, 1, rows.speedB)];
+}
+
+function showDifference(area: HTMLElement, context: Context, state: PairState, two: TwoSignal) {
+  const canvas = element('canvas', 'pair-difference') as HTMLCanvasElement;
+  canvas.style.top = `${rows.parts.top}px`;
+  canvas.setAttribute('role', 'img');
+  area.append(canvas);
+  const pixels = signal(0);
+  watchPixelRatio(() => {
+    pixels.value++;
+  });
+  follow(() => {
+    const shown = two.value;
+    const warping = state.warping.value;
+    void [context.theme.theme.value, pixels.value];
+    canvas.hidden = !shown || !warping;
+    canvas.setAttribute('aria-label', context.language.words.value.t('pair.difference.label'));
+    if (!shown || !warping) return;
+    drawDifference(canvas, differenceShades(warping, shown.axes[1]), shown.axes[1].width);
+  });
+}
+
+function showStrip(
+  area: HTMLElement,
+  clip: 0 | 1,
+  context: Context,
+  state: PairState,
+  two: TwoSignal,
+): void {
+  const { engine, language } = context;
+  const place = element('div', 'pair-strip-place');
+  place.style.top = `${[rows.stripA, rows.stripB][clip].top}px`;
+  area.append(place);
+  const poses = createKeyposePoses(engine);
+  const owner = ({ id, performerIndex, performer }: PairClip) => ({
+    id,
+    performer: performerIndex,
+    jointCount: performer.skeleton.parents.length,
+  });
+  const strip = new PairStrip(place, {
+    onPick: (keypose) => state.pickKeypose(clip, keypose),
+    onHover: (frame) => {
+      state.hovered.value = frame === null ? null : { clip, frame };
+    },
+    onShown: (frames) => {
+      const shown = state.clips.peek()[clip];
+      if (shown) poses.want(owner(shown), frames);
+    },
+  });
+  follow(() => {
+    const shown = two.value;
+    if (!shown) return;
+    const one = [shown.a, shown.b][clip];
+    const words = language.words.value;
+    strip.update({
+      axis: shown.axes[clip],
+      frameTimeS: one.frameTimeS,
+      performer: one.performer,
+      yawRad: pairYaw(shown.a, one),
+      keyposes: one.keyposes,
+      poses: poses.of(owner(one)),
+      current: state.currentKeyposes.value[clip] ?? null,
+      label: words.t('pair.strip', one.letter),
+      keyposeName: keyposeText(words),
+    });
+  });
+}
+
+function showPins(
+  area: HTMLElement,
+  clip: 0 | 1,
+  { language }: Context,
+  state: PairState,
+  two: TwoSignal,
+): void {
+  const place = element('div', 'pair-pins');
+  place.style.top = `${[rows.pinsA, rows.pinsB][clip].top}px`;
+  area.append(place);
+  const pick = (keypose: number): void => state.pickKeypose(clip, keypose);
+  const pins = new PinRow({ onPick: pick, onOpen: pick });
+  place.append(pins.element);
+  const text = computed(() => {
+    const words = language.words.value;
+    return { ...timelineText(words), pins: words.t('pair.pins', 'AB'[clip]) };
+  });
+  follow(() => {
+    const shown = two.value;
+    if (!shown) return;
+    const { keyposes, frameTimeS } = [shown.a, shown.b][clip];
+    const axis = shown.axes[clip];
+    pins.update(layoutPins(keyposes, axis), axis, keyposes, frameTimeS, text.value);
+  });
+  follow(() => {
+    void two.value;
+    pins.markCurrent(state.currentKeyposes.value[clip] ?? null);
+  });
+}
+
+function showPlayhead(area: HTMLElement, { language }: Context, state: PairState, two: TwoSignal) {
+  const playhead = new PairPlayhead(area);
+  const slider = element('div', 'pair-slider');
+  slider.tabIndex = 0;
+  slider.setAttribute('role', 'slider');
+  slider.setAttribute('aria-valuemin', '0');
+  area.append(slider);
+  follow(() => {
+    const shown = two.value;
+    if (!shown) return;
+    const { a, b, axes } = shown;
+    const { frames, pairS } = state.moment.value;
+    const { t, format } = language.words.value;
+    const times = [a, b].map(({ frameTimeS }, i) => format.decimal((frames[i] ?? 0) * frameTimeS, 2));
+    const [xA, xB] = [0, 1].map((i) => axes[i].x(frames[i] ?? 0));
+    playhead.show(xA, xB, times[0], times[1], axes[0].width);
+    slider.style.transform = `translateX(${xA}px)`;
+    slider.setAttribute('aria-label', t('timeline.playhead'));
+    slider.setAttribute('aria-valuemax', state.alignment.value.durationS.toFixed(3));
+    slider.setAttribute('aria-valuenow', pairS.toFixed(3));
+    slider.setAttribute('aria-valuetext', t('pair.spoken.times', times[0], times[1]));
+  });
+  follow(() => {
+    const shown = two.value;
+    const hovered = state.hovered.value;
+    if (!shown || !hovered || hovered.clip > 1) return playhead.showTwin(null);
+    const clips = [shown.a, shown.b];
+    const alignment = state.alignment.value;
+    const at = alignment.pairTimeOf(hovered.clip, hovered.frame * clips[hovered.clip].frameTimeS);
+    const x = (i: 0 | 1): number =>
+      i === hovered.clip
+        ? shown.axes[i].x(hovered.frame)
+        : shown.axes[i].x(alignment.timeOf(i, at) / clips[i].frameTimeS);
+    playhead.showTwin([x(0), x(1)]);
+  });
+}

@@ -1,0 +1,25 @@
+/** The state of the pair page in; what its rows say out. */
+import type { Synchronisation } from '../app/compare-store';
+import { failureOf } from '../app/failure';
+import type { Words } from '../app/i18n/catalogue';
+import type { PairClip } from './pair-clips';
+import type { PairState } from './pair-state';
+
+/** How the clips run together: "warped". */
+export function alignmentText({ t }: Words, way: Synchronisation, state: PairState): string {
+  if (way !== 'warp') return t(`pair.alignment.${way}`);
+  return t(state.warping.value ? 'pair.alignment.warp' : 'pair.alignment.start');
+}
+
+/** Why there is no path yet; empty when there is one. */
+export function warpingText({ t, format, failure }: Words, state: PairState): string {
+  if (state.warping.value) return '';
+  if (state.warpFailure.value !== null)
+    return t('pair.warp.failed', failure(failureOf(state.warpFailure.value)));
+  return t('pair.warp.progress', format.integer(Math.floor(100 * (state.warpProgress.value ?? 0))));
+}
+
+/** The motion speed at a frame; null where none is known. */
+export function speedAt({ performer: { keyposes } }: PairClip, frame: number): number | null {
+  return keyposes?.speed[frame - keyposes.firstFrame] ?? null;
+}
