@@ -11,6 +11,13 @@ test('figures keep their digits', () => {
   expect(en.integer(1096)).toBe('1,096');
 });
 
+test('a place has the ending of its number, in English', () => {
+  const places = [1, 2, 3, 4, 11, 12, 13, 21, 102, 1011].map((place) => en.ordinal(place));
+  const told = ['1st', '2nd', '3rd', '4th', '11th', '12th', '13th', '21st', '102nd', '1,011th'];
+  expect(places).toEqual(told);
+  expect(createFormat('ja').ordinal(21)).toBe('21');
+});
+
 test('a length is told in seconds, then as a clock', () => {
   expect(en.duration(9.13)).toEqual({ text: '9.1', inSeconds: true });
   expect(en.duration(725)).toEqual({ text: '12:05', inSeconds: false });

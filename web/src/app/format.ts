@@ -7,6 +7,8 @@ export interface Format {
   readonly decimal: (value: number, digits: number) => string;
   /** Up to `digits` digits after the point, none that say nothing: 120, 59.94. */
   readonly short: (value: number, digits: number) => string;
+  /** A place in an order: 11th; the bare number where the language's sentence has its own word. */
+  readonly ordinal: (value: number) => string;
   /** The length of a clip: 6.0, or 12:05 from two minutes on (then without a unit). */
   readonly duration: (seconds: number) => { readonly text: string; readonly inSeconds: boolean };
   readonly bytes: (count: number) => string;
@@ -27,6 +29,15 @@ const superscripts: Readonly<Record<string, string>> = {
   '8': '⁸',
   '9': '⁹',
 };
+
+const ordinalEndings: Readonly<Record<string, Readonly<Record<string, string>>>> = {
+  en: { one: 'st', two: 'nd', few: 'rd', other: 'th' },
+};
+
+function ordinalEnding(language: string, value: number): string {
+  const form = new Intl.PluralRules(language, { type: 'ordinal' }).select(value);
+  return ordinalEndings[language]?.[form] ?? '';
+}
 
 const superscript = (value: number): string =>
   [...String(value)].map((sign) => superscripts[sign] ?? sign).join('');
@@ -56,6 +67,7 @@ export function createFormat(language: string): Format {
 
   return {
     integer: (value) => number(value, { maximumFractionDigits: 0 }),
+    ordinal: (value) => number(value, {}) + ordinalEnding(language, value),
     decimal,
     short: (value, digits) => number(value, { maximumFractionDigits: digits }),
     duration: (seconds) =>

@@ -5,7 +5,7 @@ import type { Context } from '../app/context';
 import { element } from '../common/element';
 import { follow, mount } from '../common/mount';
 import { keyposeText, timelineText } from '../study/study-text';
-import { createKeyposePoses } from '../study/keypose-poses';
+import { createKeyposePoses, type PoseOwner } from '../study/keypose-poses';
 import type { Axis } from '../timeline/axis';
 import { watchPixelRatio } from '../timeline/canvas';
 import { layoutPins } from '../timeline/pin-layout';
@@ -154,11 +154,6 @@ function showStrip(
   place.style.top = `${[rows.stripA, rows.stripB][clip].top}px`;
   area.append(place);
   const poses = createKeyposePoses(engine);
-  const owner = ({ id, performerIndex, performer }: PairClip) => ({
-    id,
-    performer: performerIndex,
-    jointCount: performer.skeleton.parents.length,
-  });
   const strip = new PairStrip(place, {
     onPick: (keypose) => state.pickKeypose(clip, keypose),
     onHover: (frame) => {
@@ -166,7 +161,7 @@ function showStrip(
     },
     onShown: (frames) => {
       const shown = state.clips.peek()[clip];
-      if (shown) poses.want(owner(shown), frames);
+      if (shown) poses.want(ownerOf(shown), frames);
     },
   });
   follow(() => {
@@ -180,12 +175,16 @@ function showStrip(
       performer: one.performer,
       yawRad: pairYaw(shown.a, one),
       keyposes: one.keyposes,
-      poses: poses.of(owner(one)),
+      poses: poses.of(ownerOf(one)),
       current: state.currentKeyposes.value[clip] ?? null,
       label: words.t('pair.strip', one.letter),
       keyposeName: keyposeText(words),
     });
   });
+}
+
+function ownerOf({ id, performerIndex, performer }: PairClip): PoseOwner {
+  return { id, performer: performerIndex, jointCount: performer.skeleton.parents.length };
 }
 
 function showPins(
@@ -231,7 +230,9 @@ function showPlayhead(area: HTMLElement, { language }: Context, state: PairState
     const { a, b, axes } = shown;
     const { frames, pairS } = state.moment.value;
     const { t, format } = language.words.value;
-    const times = [a, b].map(({ frameTimeS }, i) => format.decimal((frames[i] ?? 0) * frameTimeS, 2));
+    const times = [a, b].map(({ frameTimeS }, i) =>
+      format.decimal((frames[i] ?? 0) * frameTimeS, 2),
+    );
     const [xA, xB] = [0, 1].map((i) => axes[i].x(frames[i] ?? 0));
     playhead.show(xA, xB, times[0], times[1], axes[0].width);
     slider.style.transform = `translateX(${xA}px)`;

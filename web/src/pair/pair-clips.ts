@@ -1,4 +1,4 @@
-/** The selection and the library in; the clips of the pair page that are read out, A first, then B. */
+/** The selection and the library in; the clips of the pair page out, A first, then B, as far as they are read. */
 import { computed, type ReadonlySignal } from '@preact/signals-core';
 import { keyposeFrames, type Clip } from '../app/clips';
 import type { Store } from '../app/store';
@@ -7,6 +7,8 @@ import { performerLetter } from '../figure/performer-letter';
 
 export interface PairClip {
   readonly id: ClipId;
+  /** Among the clips of the page, from 0. */
+  readonly place: number;
   /** A, B, C … */
   readonly letter: string;
   /** File name without its ending. */
@@ -33,9 +35,12 @@ export function followPairClips(store: Store): ReadonlySignal<readonly PairClip[
   let before: readonly PairClip[] = [];
   return computed(() => {
     const clips = store.clips.value;
-    const ids = selectedIds(store).filter((id) => clips[id] && !clips[id].removed);
-    // Letters are those of the selection: B stays B while A is still being read.
-    const now = ids.flatMap((id, place) => pairClip(clips[id], place) ?? []);
+    // Elsewhere nothing is fetched for this page.
+    const ids = store.compare.page.value === 'pair' ? selectedIds(store) : [];
+    const present = ids.filter((id) => clips[id] && !clips[id].removed);
+    const all = present.map((id, place) => pairClip(clips[id], place));
+    const unread = all.indexOf(null);
+    const now = (unread < 0 ? all : all.slice(0, unread)).filter((clip) => clip !== null);
     const same = now.length === before.length && now.every((clip, i) => isSame(clip, before[i]));
     if (!same) before = now;
     return before;
@@ -49,6 +54,7 @@ function pairClip({ id, source, result }: Clip, place: number): PairClip | null 
   const performer = result.performers[performerIndex];
   return {
     id,
+    place,
     letter: performerLetter(place),
     name: shortName(source.name),
     frames: Math.max(1, result.frames),
@@ -61,4 +67,4 @@ function pairClip({ id, source, result }: Clip, place: number): PairClip | null 
 }
 
 const isSame = (a: PairClip, b: PairClip | undefined): boolean =>
-  a.id === b?.id && a.letter === b.letter && a.result === b.result;
+  a.id === b?.id && a.place === b.place && a.result === b.result;

@@ -2,6 +2,7 @@
 import { computed, effect, signal, type ReadonlySignal, type Signal } from '@preact/signals-core';
 import type { Context } from '../app/context';
 import type { Warping } from '../engine/comparison-types';
+import type { ClipId } from '../engine/types';
 import { nearestIndex } from '../player/neighbours';
 import { Ticker } from '../player/ticker';
 import { alignedAt, alignedByPaths, alignedByStart, type Alignment } from './alignment';
@@ -47,35 +48,25 @@ const noMoment: PairMoment = {
 
 export function createPairState(context: Context): PairState {
   const { store, comparer } = context;
-  const { page, mirrorB, synchronisation } = store.compare;
+  const { mirrorB, synchronisation } = store.compare;
   const clips = followPairClips(store);
-  const isShown = computed(() => page.value === 'pair');
   const warpings = followWarpings(
     comparer,
-    computed(() => (isShown.value ? { clips: clips.value, mirrorB: mirrorB.value } : null)),
+    computed(() => ({ clips: clips.value, mirrorB: mirrorB.value })),
   );
-  const met = signal<ReadonlyMap<number, number>>(new Map());
-  const meeting = computed(() => clips.value.map(({ id }) => met.value.get(id) ?? 0));
+  const met = createMeeting(clips);
   const alignment = computed(() => {
     const shown = clips.value;
     if (synchronisation.value === 'start') return alignedByStart(shown);
-    if (synchronisation.value === 'keypose') return alignedAt(shown, meetingTimes(shown, meeting.value));
-    return alignedByPaths(
-      shown,
-      shown.map(({ id }) => warpings.found.value.get(id) ?? null),
-    );
+    if (synchronisation.value === 'keypose')
+      return alignedAt(shown, meetingTimes(shown, met.keyposes.value));
+    const paths = shown.map(({ id }) => warpings.found.value.get(id) ?? null);
+    return alignedByPaths(shown, paths);
   });
-  const { clock, moment } = runClock(clips, alignment, isShown);
+  const { clock, moment } = runClock(context, clips, alignment);
   const currentKeyposes = computed(() =>
     clips.value.map(({ keyposes }, i) => nearestIndex(keyposes, moment.value.frames[i] ?? 0)),
   );
-  const meet = (changes: readonly (readonly [number, number | null])[]): void => {
-    const known = changes.flatMap(([clip, keypose]) => {
-      const id = clips.peek()[clip]?.id;
-      return id === undefined || keypose === null ? [] : [[id, keypose] as const];
-    });
-    met.value = new Map([...met.peek(), ...known]);
-  };
   return {
     clips,
     clock,
@@ -85,12 +76,30 @@ export function createPairState(context: Context): PairState {
     warpProgress: warpings.progress,
     warpFailure: warpings.failure,
     currentKeyposes,
-    meeting,
+    meeting: met.keyposes,
     hovered: signal<ClipMoment | null>(null),
-    meetHere: () => meet(currentKeyposes.peek().map((keypose, clip) => [clip, keypose] as const)),
+    meetHere: () => met.set(currentKeyposes.peek()),
     pickKeypose: (clip, keypose) => {
-      if (synchronisation.peek() === 'keypose') meet([[clip, keypose]]);
+      if (synchronisation.peek() === 'keypose')
+        met.set(clips.peek().map((_, place) => (place === clip ? keypose : null)));
       clock.seek(clip, clips.peek()[clip]?.keyposes[keypose] ?? 0);
+    },
+  };
+}
+
+/** The keyposes at which the clips meet, kept by clip; at first the first ones. */
+function createMeeting(clips: ReadonlySignal<readonly PairClip[]>) {
+  const met = signal<ReadonlyMap<ClipId, number>>(new Map());
+  return {
+    keyposes: computed(() => clips.value.map(({ id }) => met.value.get(id) ?? 0)),
+    /** Of each clip; null leaves it as it is. */
+    set: (keyposes: readonly (number | null)[]): void => {
+      const all = new Map(met.peek());
+      clips.peek().forEach(({ id }, place) => {
+        const keypose = keyposes[place] ?? null;
+        if (keypose !== null) all.set(id, keypose);
+      });
+      met.value = all;
     },
   };
 }
@@ -101,10 +110,11 @@ function meetingTimes(clips: readonly PairClip[], meeting: readonly number[]): n
   );
 }
 
+/** Study and pair hand the moment of A to each other. */
 function runClock(
+  { store, playback }: Context,
   clips: ReadonlySignal<readonly PairClip[]>,
   alignment: ReadonlySignal<Alignment>,
-  isShown: ReadonlySignal<boolean>,
 ) {
   const moment = signal(noMoment);
   const ticker = new Ticker((seconds) => clock.advance(seconds));
@@ -118,11 +128,14 @@ function runClock(
     const now = clips.value;
     // A clip that comes to be A goes on where it was.
     const place = before.findIndex(({ id }) => id === now[0]?.id);
-    clock.load(now, alignment.value, place < 0 ? 0 : clock.timeOf(place));
+    const studied = store.playback.peek().frame * (now[0]?.frameTimeS ?? 0);
+    const [a] = before;
+    if (now.length === 0) {
+      clock.pause();
+      if (a && a.id === store.openId.peek()) playback.seek(clock.frameOf(0));
+    } else playback.pause();
+    clock.load(now, alignment.value, place < 0 ? studied : clock.timeOf(place));
     before = now;
-  });
-  effect(() => {
-    if (!isShown.value) clock.pause();
   });
   return { clock, moment };
 }

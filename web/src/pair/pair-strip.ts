@@ -71,7 +71,8 @@ export class PairStrip {
   update(props: PairStripProps): void {
     this.props = props;
     const key = `${props.yawRad}`;
-    if (this.figuresOf !== props.performer || this.root.dataset['yaw'] !== key) this.figures.clear();
+    if (this.figuresOf !== props.performer || this.root.dataset['yaw'] !== key)
+      this.figures.clear();
     this.figuresOf = props.performer;
     this.root.dataset['yaw'] = key;
     this.root.setAttribute('aria-label', props.label);
@@ -91,17 +92,22 @@ export class PairStrip {
     this.events.onShown(Int32Array.from(cards, ({ keypose }) => keyposes[keypose]));
     this.remove(new Set(cards.map(({ keypose }) => keypose)));
     const figures = cards.map(({ keypose }) => this.figureOf(keypose, props));
-    const scale = SCALE * stripScale(figures.filter((figure) => figure !== null), cardWidth);
+    const scale =
+      SCALE *
+      stripScale(
+        figures.filter((figure) => figure !== null),
+        cardWidth,
+      );
     cards.forEach(({ keypose, x }, i) => {
       const card = this.cardOf(keypose);
       card.button.style.transform = `translateX(${x - cardWidth / 2}px)`;
       card.button.style.width = `${cardWidth - 1}px`;
-      this.write(card, keypose, cardWidth, props);
+      this.label(card, keypose, cardWidth, props);
       draw(card, figures[i], scale);
     });
   }
 
-  private write(card: Card, keypose: number, width: number, props: PairStripProps): void {
+  private label(card: Card, keypose: number, width: number, props: PairStripProps): void {
     const { keyposes, current, frameTimeS, keyposeName } = props;
     const timeS = keyposes[keypose] * frameTimeS;
     const seconds = timeS.toFixed(labelDigits(keypose + 1, timeS, width));
@@ -141,7 +147,9 @@ export class PairStrip {
     button.append(picture, label);
     const card: Card = { button, picture, number, seconds, drawn: '' };
     this.cards.set(keypose, card);
-    const after = [...this.cards.keys()].filter((other) => other > keypose).sort((a, b) => a - b)[0];
+    const after = [...this.cards.keys()]
+      .filter((other) => other > keypose)
+      .sort((a, b) => a - b)[0];
     this.root.insertBefore(button, after === undefined ? null : this.cards.get(after)!.button);
     return card;
   }

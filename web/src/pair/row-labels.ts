@@ -1,5 +1,5 @@
 /** The clips at their moments in; the names of the rows beside them out. */
-import { html, nothing, type TemplateResult } from 'lit-html';
+import { html, type TemplateResult } from 'lit-html';
 import type { Words } from '../app/i18n/catalogue';
 import { styled } from '../common/directives';
 import { bodyParts } from '../engine/types';
@@ -24,7 +24,7 @@ const at = (top: number) => styled({ top: `${top}px` });
 function clipLabel({ top }: RowPlace, clip: PairClip, { t, format }: Words): TemplateResult {
   const lengthS = (clip.frames - 1) * clip.frameTimeS;
   return html`<div class="pair-row-clip" ${at(top + 6)}>
-    <span class="pair-row-name">${who(clip.letter, clip.letter === 'A' ? 0 : 1)} <b>${clip.name}</b></span>
+    <span class="pair-row-name">${who(clip.letter, clip.place)} <b>${clip.name}</b></span>
     <span class="pair-row-note">${t('unit.seconds', format.decimal(lengthS, 2))}</span>
   </div>`;
 }
@@ -36,7 +36,8 @@ function label({ top }: RowPlace, text: string, figure = '', offset = 2): Templa
 }
 
 function warpedRows({ words: { t }, warping }: RowLabelProps) {
-  if (warping !== '') return html`<div class="pair-row-note wide" ${at(rows.ahead.top + 6)}>${warping}</div>`;
+  if (warping !== '')
+    return html`<div class="pair-row-note wide" ${at(rows.ahead.top + 6)}>${warping}</div>`;
   return html`${label(rows.ahead, t('pair.ahead'), '', 5)}
     <div class="pair-row-note" ${at(rows.ahead.top + 24)}>${t('pair.ahead.unit')}</div>
     ${bodyParts.map(
@@ -55,6 +56,6 @@ export function rowLabels(props: RowLabelProps): TemplateResult {
     ${label(rows.ribbon, t('pair.alignment'), alignment, 22)}
     ${label(rows.speedB, t('timeline.speed'), speed(speeds[1]), 6)}
     ${label(rows.pinsB, t('timeline.pins'))} ${clipLabel(rows.stripB, b, words)}
-    ${warpedRows(props)} ${nothing}
+    ${warpedRows(props)}
   `;
 }

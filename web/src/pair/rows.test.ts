@@ -17,10 +17,14 @@ const ends = (path: string): number[][] =>
 
 describe('rows', () => {
   it('follow each other, B’s the mirror image of A’s', () => {
-    expect([rows.stripA, rows.pinsA, rows.speedA].map(({ height }) => height)).toEqual([74, 20, 34]);
+    expect([rows.stripA, rows.pinsA, rows.speedA].map(({ height }) => height)).toEqual([
+      74, 20, 34,
+    ]);
     expect(rows.speedB.top).toBe(rows.ribbon.top + 64);
     expect(partRow(4).top + partRow(4).height).toBeLessThan(ROWS_HEIGHT);
-    expect([0, rows.ribbon.top + 10, rows.ribbon.top + 50, ROWS_HEIGHT].map(clipAt)).toEqual([0, 0, 1, 1]);
+    expect([0, rows.ribbon.top + 10, rows.ribbon.top + 50, ROWS_HEIGHT].map(clipAt)).toEqual([
+      0, 0, 1, 1,
+    ]);
   });
 
   it('have a second as wide in both clips', () => {
@@ -32,7 +36,10 @@ describe('rows', () => {
 
 describe('the ribbon', () => {
   const [axisA, axisB] = axesOf([a, b], 1028);
-  const [clipA, clipB] = [{ ...a, axis: axisA }, { ...b, axis: axisB }];
+  const [clipA, clipB] = [
+    { ...a, axis: axisA },
+    { ...b, axis: axisB },
+  ];
 
   it('has upright lines while both run from the start', () => {
     for (const [from, to] of ends(matchingLines(alignedByStart([a, b]), clipA, clipB))) {
@@ -50,10 +57,7 @@ describe('the ribbon', () => {
     const path = { pathA: [0, 50, 100], pathB: [0, 20, 60] };
     const warped = alignedByPaths([a, b], [null, path]);
     const [[from, to]] = ends(keyposeLines(warped, Int32Array.of(50), clipA, clipB));
-    expect([from, to]).toEqual([
-      expect.closeTo(axisA.x(50), 0),
-      expect.closeTo(axisB.x(20), 0),
-    ]);
+    expect([from, to]).toEqual([expect.closeTo(axisA.x(50), 0), expect.closeTo(axisB.x(20), 0)]);
   });
 });
 

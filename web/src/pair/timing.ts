@@ -16,7 +16,7 @@ export function timingOf(
 ): Timing {
   const steps = keyposes.length - 1;
   const spanS = steps > 0 ? (keyposes[steps] - keyposes[0]) * frameTimeS : 0;
-  const speed = result?.speed ?? [];
+  const speed = result?.speed ?? new Float64Array();
   const sum = speed.reduce((a, b) => a + b, 0);
   return {
     keyposes: keyposes.length,

@@ -10,10 +10,10 @@ export function stageSentence({ store, language }: Context, trouble: Trouble): s
   if (!clip) return store.loading.value ? '' : t('stage.choose');
   if (clip.status === 'failed') return '';
   if (!clip.result) return t('stage.loading', clip.source.name);
-  return trouble === null ? '' : t(sentences[trouble]);
+  return trouble === null ? '' : t(troubleSentences[trouble]);
 }
 
-const sentences = {
+export const troubleSentences = {
   off: 'stage.off',
   'no-webgl2': 'stage.unavailable',
   'context-lost': 'stage.lost',

@@ -3,12 +3,14 @@ import { englishCompare } from './en-compare';
 import { englishDistance } from './en-distance';
 import { englishInspector } from './en-inspector';
 import { englishMatrix } from './en-matrix';
+import { englishPair } from './en-pair';
 
 export const en = {
   ...englishCompare,
   ...englishDistance,
   ...englishInspector,
   ...englishMatrix,
+  ...englishPair,
   'language.other': '日本語',
   'unit.seconds': '{0} s',
   'unit.hertz': '{0} Hz',

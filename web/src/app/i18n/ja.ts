@@ -4,12 +4,14 @@ import { japaneseCompare } from './ja-compare';
 import { japaneseDistance } from './ja-distance';
 import { japaneseInspector } from './ja-inspector';
 import { japaneseMatrix } from './ja-matrix';
+import { japanesePair } from './ja-pair';
 
 export const ja: Catalogue = {
   ...japaneseCompare,
   ...japaneseDistance,
   ...japaneseInspector,
   ...japaneseMatrix,
+  ...japanesePair,
   'language.other': 'English',
   'unit.seconds': '{0} s',
   'unit.hertz': '{0} Hz',
