@@ -1,5 +1,6 @@
 // Trees over many vectors by Keypose, kodama and SciPy. In: a folder to write into, a number of vectors, a number
-// of runs. Out: for each method the milliseconds of each, from the vectors to the tree, in turn.
+// of runs. Out: for each method the milliseconds of each, from the vectors to the tree, in turn; and those of
+// every other stage of Keypose's comparing.
 import { existsSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { output, root } from '../scripts/process.mjs';
@@ -70,4 +71,11 @@ export function measureLinkage(folder, count, runs) {
     const spreads = Object.entries(found).map(([name, times]) => [name, spread(times)]);
     return { method, count, ...Object.fromEntries(spreads) };
   });
+}
+
+/** `{ count, stages: { name: spread in ms } }` of Keypose alone, on one core. */
+export function measureStages(count, runs) {
+  const found = told(program, ['stages', String(count), String(runs)]);
+  const spreads = Object.entries(found).map(([name, times]) => [name, spread(times)]);
+  return { count, stages: Object.fromEntries(spreads) };
 }

@@ -47,7 +47,21 @@ function linkageTable(linkage) {
   return table(header, rows);
 }
 
+/** How the stages are called in the table. */
+const stageNames = {
+  ward: 'Ward',
+  order: 'order of the leaves',
+  clusters: 'clusters by BIC',
+  picture: 'picture of the matrix',
+  map: 'map',
+};
+
+function stagesTable({ count, stages }) {
+  const rows = Object.entries(stages).map(([name, ms]) => [stageNames[name], told(ms)]);
+  return table([`${count} vectors`, 'native, ms'], rows);
+}
+
 /** The tables of comparing. */
-export function comparingTables({ set, linkage }) {
-  return [appTable(set), commandTable(set), linkageTable(linkage)];
+export function comparingTables({ set, linkage, stages }) {
+  return [appTable(set), commandTable(set), linkageTable(linkage), stagesTable(stages)];
 }

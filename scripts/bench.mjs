@@ -11,7 +11,7 @@ import { servePage } from '../bench/browser.mjs';
 import { compareInApp, compareNatively } from '../bench/comparing.mjs';
 import { benchmarkFiles } from '../bench/files.mjs';
 import { measureFolder } from '../bench/folder.mjs';
-import { measureLinkage } from '../bench/linkage.mjs';
+import { measureLinkage, measureStages } from '../bench/linkage.mjs';
 import {
   measureExtraction,
   measureOpening,
@@ -87,13 +87,15 @@ function measurements({ sets, long, samples }, native, page, app) {
 /** A set compared by the command and in the app, and trees over many vectors. */
 async function measureComparing(app) {
   const set = motionSet(join(results, 'files'), Number(options.clips));
+  const vectors = Number(options.vectors);
   return {
     set: {
       ...set,
       native: await inOrder(WORKERS, (count) => compareNatively(set, count)),
       app: await inOrder(WORKERS, (count) => compareInApp(app, set, count)),
     },
-    linkage: measureLinkage(join(results, 'files'), Number(options.vectors), Math.min(runs, 3)),
+    linkage: measureLinkage(join(results, 'files'), vectors, Math.min(runs, 3)),
+    stages: measureStages(vectors, Math.min(runs, 3)),
   };
 }
 
