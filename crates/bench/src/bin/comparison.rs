@@ -15,6 +15,7 @@ use comparison::distance::euclidean;
 use comparison::feature::Vector;
 use comparison::leaf_order::optimal;
 use comparison::linkage::{group_average, ward};
+use comparison::map::of_vectors;
 use motion::report::json::Json;
 
 const USAGE: &str = "comparison vectors COUNT FILE
@@ -87,6 +88,7 @@ fn stages(count: &str, runs: &str) -> Option<String> {
         ("ward", each(&|| drop(black_box(ward(&vectors))))),
         ("order", each(&|| drop(black_box(optimal(&tree, &between))))),
         ("clusters", each(&|| drop(black_box(bic(&vectors, &tree))))),
+        ("map", each(&|| drop(black_box(of_vectors(&vectors))))),
     ]);
     Some(found.text())
 }
