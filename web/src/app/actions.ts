@@ -3,6 +3,7 @@ import { batch } from '@preact/signals-core';
 import type { ClipId, ClipSource, Engine, ExportKind, MethodOptions } from '../engine/types';
 import { saveBlob, saveText } from '../common/save-file';
 import { createAnalysis } from './analysis';
+import { patchClip } from './clip-changes';
 import { decisionLabels, withDecision, type DecisionChange, type JointsChange } from './decisions';
 import { failureOf } from './failure';
 import type { History } from './history';
@@ -12,7 +13,7 @@ import { createLoader } from './loading';
 import { createOpener } from './opening';
 import { createOptionChanges, type OptionKey } from './option-changes';
 import { toastOfReport } from './report';
-import { patchClip, type Store } from './store';
+import type { Store } from './store';
 
 export interface Actions {
   readonly take: (given: readonly Given[]) => void;

@@ -1,7 +1,8 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import type { ClipResult, Engine, MethodOptions } from '../engine/types';
 import { createAnalysis, settleMs } from './analysis';
-import { addClip, createStore } from './store';
+import { addClips } from './clip-changes';
+import { createStore } from './store';
 import { testResult } from './test-clips';
 
 beforeEach(() => void vi.useFakeTimers());
@@ -20,7 +21,8 @@ function setUp() {
     poses: () => Promise.reject(new Error('none')),
   } as unknown as Engine;
   const analysis = createAnalysis(engine, store, () => undefined);
-  const { id } = addClip(store, { name: 'a.bvh', folder: '', blob: new Blob(['x']) });
+  const source = { name: 'a.bvh', folder: '', blob: new Blob(['x']) };
+  const [{ id }] = addClips(store, [source]);
   const opening = analysis.open(id, new AbortController().signal);
   return { store, opened, analysed, analysis, opening };
 }

@@ -11,11 +11,13 @@ import type {
   MethodOptions,
   Progress,
 } from '../engine/types';
-import { flatFigure } from '../figure/flat-figure';
+import { flatFigure, type FlatFigure } from '../figure/flat-figure';
+import { clipNow, patchClip, patchClipSoon } from './clip-changes';
 import type { Clip } from './clips';
+import { comparableOf } from './comparable';
 import { failureOf, isAbort } from './failure';
 import { inheritedJoints } from './joint-choices';
-import { patchClip, type Store } from './store';
+import type { Store } from './store';
 
 export const settleMs = 150;
 
@@ -56,7 +58,7 @@ class ClipAnalysis implements Analysis {
     const { options } = this.store;
     const begunWith = options.peek();
     const onProgress = ({ stage, done }: Progress): void =>
-      patchClip(this.store, id, { status: stage, progress: done });
+      this.patch(id, { status: stage, progress: done });
     try {
       const work = { signal, onProgress };
       const result = await this.engine.open(id, clip.source, clip.decisions, begunWith, work);
@@ -66,7 +68,7 @@ class ClipAnalysis implements Analysis {
       if (taken || options.peek() !== begunWith) this.decide(id, taken ?? clip.decisions);
     } catch (error) {
       if (isAbort(error)) throw error;
-      patchClip(this.store, id, { status: 'failed', failure: failureOf(error) });
+      this.patch(id, { status: 'failed', failure: failureOf(error) });
     }
   }
 
@@ -112,22 +114,32 @@ class ClipAnalysis implements Analysis {
   }
 
   private accept(id: ClipId, result: ClipResult): void {
-    const done = { status: 'ready', progress: 1, failure: null, outdated: false } as const;
-    patchClip(this.store, id, { ...done, result });
+    this.patch(id, {
+      status: 'ready',
+      progress: 1,
+      failure: null,
+      outdated: false,
+      result,
+      extent: result,
+      thumbnail: thumbnailOf(result),
+      ...comparableOf(result, this.clipOf(id)?.feature ?? null),
+    });
     performance.mark(keyposesMark, { detail: id });
-    this.drawThumbnail(id, result).catch(() => patchClip(this.store, id, { thumbnail: null }));
   }
 
-  private async drawThumbnail(id: ClipId, { performers }: ClipResult): Promise<void> {
-    const [performer] = performers;
-    if (!performer) return;
-    const pose = await this.engine.poses(id, 0, Int32Array.of(performer.thumbnailFrame));
-    if (this.clipOf(id)?.result?.performers[0] !== performer) return;
-    const thumbnail = flatFigure(pose, performer, performer.sideYawRad);
-    patchClip(this.store, id, { thumbnail });
+  /** The open clip is shown at once; the others when the list is made anew. */
+  private patch(id: ClipId, fields: Partial<Clip>): void {
+    if (id === this.store.openId.peek()) patchClip(this.store, id, fields);
+    else patchClipSoon(this.store, id, fields);
   }
 
   private clipOf(id: ClipId): Clip | undefined {
-    return this.store.clips.peek()[id];
+    return clipNow(this.store, id);
   }
+}
+
+function thumbnailOf({ performers, thumbnailPose }: ClipResult): FlatFigure | null {
+  const [performer] = performers;
+  if (!performer || thumbnailPose.length === 0) return null;
+  return flatFigure(thumbnailPose, performer, performer.sideYawRad);
 }

@@ -1,4 +1,5 @@
 /** A clip of the library as the page knows it: where it comes from, how far its work is, what it gave. */
+import type { ClipFeature } from '../engine/comparison-types';
 import type {
   ClipId,
   ClipResult,
@@ -9,7 +10,11 @@ import type {
 } from '../engine/types';
 import type { FlatFigure } from '../figure/flat-figure';
 
-export type ClipStatus = 'waiting' | 'reading' | 'analysing' | 'ready' | 'failed';
+/** `surveyed`: one of many, read for its feature; its keyposes follow. */
+export type ClipStatus = 'waiting' | 'reading' | 'surveyed' | 'analysing' | 'ready' | 'failed';
+
+/** How long a clip is. */
+export type Extent = Pick<ClipResult, 'frames' | 'frameTimeS'>;
 
 export interface Clip {
   /** Also its place in the order of arrival. */
@@ -19,6 +24,12 @@ export interface Clip {
   /** 0 to 1. */
   readonly progress: number;
   readonly result: ClipResult | null;
+  /** Known before the result where many clips are read at once. */
+  readonly extent: Extent | null;
+  /** What it is compared by; null until it is known, and where it cannot be compared. */
+  readonly feature: ClipFeature | null;
+  /** Why it cannot be compared. */
+  readonly incomparable: Failure | null;
   readonly failure: Failure | null;
   /** The figure of the first performer's most unusual keypose. */
   readonly thumbnail: FlatFigure | null;
@@ -36,6 +47,9 @@ export function newClip(id: ClipId, source: ClipSource): Clip {
     status: 'waiting',
     progress: 0,
     result: null,
+    extent: null,
+    feature: null,
+    incomparable: null,
     failure: null,
     thumbnail: null,
     decisions: {},
@@ -44,7 +58,9 @@ export function newClip(id: ClipId, source: ClipSource): Clip {
   };
 }
 
-export const isBusy = ({ status }: Clip): boolean => status !== 'ready' && status !== 'failed';
+/** Whether nothing of the file is known yet. */
+export const isBusy = ({ status }: Clip): boolean =>
+  status === 'waiting' || status === 'reading' || status === 'analysing';
 
 /** The keyposes of all performers. */
 export function keyposeCount({ result }: Clip): number {
@@ -60,7 +76,7 @@ export function isAnalysed({ result }: Clip): boolean {
 }
 
 /** Seconds from the first to the last frame. */
-export function lengthOf({ frames, frameTimeS }: ClipResult): number {
+export function lengthOf({ frames, frameTimeS }: Extent): number {
   return Math.max(0, frames - 1) * frameTimeS;
 }
 
@@ -71,9 +87,8 @@ export function keyposeFrames({ keyposes }: PerformerResult): Int32Array {
     : new Int32Array();
 }
 
-/** Whether two sources are the same file, given twice. */
-export function isSameSource(a: ClipSource, b: ClipSource): boolean {
-  const sameName = a.name === b.name && a.folder === b.folder && a.blob.size === b.blob.size;
-  if (!sameName || !(a.blob instanceof File) || !(b.blob instanceof File)) return sameName;
-  return a.blob.lastModified === b.blob.lastModified;
+/** The same for two sources that are the same file, given twice. */
+export function sourceKey({ name, folder, blob }: ClipSource): string {
+  const changed = blob instanceof File ? blob.lastModified : '';
+  return `${folder}\n${name}\n${blob.size}\n${changed}`;
 }

@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest';
 import { EngineError, type Engine } from '../engine/types';
 import { createLoader, type BatchReport } from './loading';
-import { createStore, patchClip } from './store';
+import { patchClip } from './clip-changes';
+import { createStore } from './store';
 
 function setUp(
   open: (id: number, signal: AbortSignal) => Promise<void> = () => Promise.resolve(),

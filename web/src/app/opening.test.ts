@@ -1,10 +1,14 @@
 import { expect, test } from 'vitest';
 import { createOpener } from './opening';
-import { addClip, createStore, patchClip } from './store';
+import { addClips, patchClip } from './clip-changes';
+import { createStore } from './store';
 
 function setUp(names: readonly string[]) {
   const store = createStore();
-  for (const name of names) addClip(store, { name, folder: '', blob: new Blob(['x']) });
+  addClips(
+    store,
+    names.map((name) => ({ name, folder: '', blob: new Blob(['x']) })),
+  );
   const opener = createOpener(store, (id) => {
     store.openId.value = id;
   });

@@ -5,14 +5,13 @@
 import { computed, signal, type ReadonlySignal, type Signal } from '@preact/signals-core';
 import type {
   ClipId,
-  ClipSource,
   MethodOptions,
   MethodSettings,
   PerformerResult,
 } from '../engine/types';
 import type { LoopRange } from '../player/clock';
 import { nearestIndex } from '../player/neighbours';
-import { keyposeFrames, newClip, type Clip } from './clips';
+import { keyposeFrames, type Clip } from './clips';
 import { createCompareStore, type CompareStore } from './compare-store';
 import { labelNames, labelsOf, steadyLabels, type Labels } from './labels';
 import { qualifiers } from './names';
@@ -183,20 +182,4 @@ function labelling(
     () =>
       (before = steadyLabels(before, labelsOf(labelRule.value, handLabels.value, present.value))),
   );
-}
-
-/** Changes some fields of one clip. */
-export function patchClip(store: Store, id: ClipId, fields: Partial<Clip>): void {
-  const clips = store.clips.peek();
-  const clip = clips[id];
-  if (!clip) return;
-  const next = [...clips];
-  next[id] = { ...clip, ...fields };
-  store.clips.value = next;
-}
-
-export function addClip(store: Store, source: ClipSource): Clip {
-  const clip = newClip(store.clips.peek().length, source);
-  store.clips.value = [...store.clips.peek(), clip];
-  return clip;
 }

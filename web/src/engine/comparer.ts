@@ -1,26 +1,218 @@
 /**
  * The comparison's side of the page: features of clips in, promises of what is known of the set out.
- * The worker starts with the second comparable clip.
+ * There is one worker, started by the first comparison; one that dies is replaced, told the features
+ * again, and made to compare again before it answers.
  */
+import {
+  type FeatureNews,
+  type ComparisonApi,
+  featureLength,
+  packFeature,
+} from './comparison-protocol';
+import type {
+  ClipFeature,
+  Comparer,
+  Comparison,
+  ComparisonExportKind,
+  ComparisonSettings,
+  Cut,
+  Evaluation,
+  Explanation,
+  LabelledCut,
+  MatrixPicture,
+  MatrixRegion,
+  Neighbour,
+  Warping,
+  WarpSettings,
+} from './comparison-types';
 import { failureOf } from './failures';
-import type { Comparer } from './comparison-types';
-import { type Engine, EngineError } from './types';
+import { Pool, type Remote, type Spawn, type Task, TaskFailed, WorkerLost } from './pool';
+import type { JobId, Outcome } from './protocol';
+import { type ClipId, type Engine, EngineError, type WorkOptions } from './types';
 
-const later = (): Promise<never> =>
-  Promise.reject(new EngineError(failureOf('engine-unavailable'), ''));
+/** The one slot of the pool. */
+const SLOT = 0;
 
-export function createBrowserComparer(engine: Engine): Comparer {
-  void engine;
+/** How often a request begins again because its worker was replaced. */
+const ATTEMPTS = 3;
+
+/** What a comparer needs of the engine. */
+export type PostureSource = Pick<Engine, 'postures'>;
+
+export function createComparer(engine: PostureSource, spawn: Spawn<ComparisonApi>): Comparer {
+  return new WorkerComparer(engine, spawn);
+}
+
+interface Told {
+  readonly name: string;
+  readonly feature: ClipFeature;
+}
+
+/** The settings and the clips of a comparison, with which it can be made again. */
+interface Compared {
+  readonly settings: ComparisonSettings;
+  readonly clips: ReadonlyMap<ClipId, Told>;
+}
+
+type Run<T> = Task<T, ComparisonApi>['run'];
+
+class WorkerComparer implements Comparer {
+  private readonly engine: PostureSource;
+  private readonly pool: Pool<ComparisonApi>;
+  private readonly features = new Map<ClipId, Told>();
+  /** What the worker has been told, by clip. */
+  private readonly told = new Map<ClipId, Told>();
+  private latest: Compared | null = null;
+  /** What the worker has compared: another worker has nothing. */
+  private inWorker: Compared | null = null;
+  private run = new AbortController();
+
+  constructor(engine: PostureSource, spawn: Spawn<ComparisonApi>) {
+    this.engine = engine;
+    this.pool = new Pool(spawn, 1, () => this.forget());
+  }
+
+  setFeature(clip: ClipId, name: string, feature: ClipFeature | null): void {
+    if (feature === null) this.features.delete(clip);
+    else this.features.set(clip, { name, feature });
+  }
+
+  async compare(settings: ComparisonSettings, work: WorkOptions = {}): Promise<Comparison> {
+    this.run.abort();
+    this.run = new AbortController();
+    const ascending = [...this.features].sort(([a], [b]) => a - b);
+    const compared: Compared = { settings, clips: new Map(ascending) };
+    const comparison = await this.comparison(compared, {
+      ...work,
+      signal: anyOf(this.run.signal, work.signal),
+    });
+    this.latest = compared;
+    return comparison;
+  }
+
+  cut(clusters: number): Promise<Cut> {
+    return this.ask((api, job) => api.cut(job, clusters));
+  }
+
+  picture(region: MatrixRegion): Promise<MatrixPicture> {
+    return this.ask((api, job) => api.picture(job, region));
+  }
+
+  explain(a: ClipId, b: ClipId): Promise<Explanation> {
+    return this.ask((api, job) => api.explain(job, a, b));
+  }
+
+  neighbours(clip: ClipId, most: number): Promise<readonly Neighbour[]> {
+    return this.ask((api, job) => api.neighbours(job, clip, most));
+  }
+
+  evaluate(labelled: LabelledCut): Promise<Evaluation> {
+    return this.ask((api, job) => api.evaluate(job, labelled));
+  }
+
+  exportFile(kind: ComparisonExportKind, labelled: LabelledCut): Promise<Blob> {
+    return this.ask((api, job) => api.exportFile(job, kind, labelled));
+  }
+
+  async warp(
+    a: ClipId,
+    b: ClipId,
+    settings: WarpSettings,
+    work: WorkOptions = {},
+  ): Promise<Warping> {
+    return this.again(async () => {
+      const [one, other] = await Promise.all([this.postures(a, work), this.postures(b, work)]);
+      return this.start((api, job) => api.warp(job, one, other, settings), work);
+    });
+  }
+
+  destroy(): void {
+    this.run.abort();
+    this.pool.destroy();
+  }
+
+  private postures(clip: ClipId, { signal }: WorkOptions) {
+    const performer = this.features.get(clip)?.feature.performer ?? 0;
+    return this.engine.postures(clip, performer, signal === undefined ? {} : { signal });
+  }
+
+  /** A request about the latest comparison. */
+  private ask<T>(run: Run<T>): Promise<T> {
+    return this.again(async () => {
+      const { latest } = this;
+      if (latest !== null && this.inWorker === null) await this.comparison(latest);
+      return this.start(run);
+    });
+  }
+
+  private comparison(compared: Compared, work: WorkOptions = {}): Promise<Comparison> {
+    const clips = Int32Array.from(compared.clips.keys());
+    return this.again(async () => {
+      this.tell(compared.clips);
+      const found = await this.start(
+        (api, job) => api.compare(job, compared.settings, clips),
+        work,
+      );
+      this.inWorker = compared;
+      return found;
+    });
+  }
+
+  /** Tells the worker what it does not know yet. */
+  private tell(wanted: ReadonlyMap<ClipId, Told>): void {
+    const news = newsBetween(this.told, wanted);
+    if (news.clips.length + news.gone.length === 0) return;
+    for (const clip of news.gone) this.told.delete(clip);
+    for (const [clip, one] of wanted) this.told.set(clip, one);
+    this.pool.hire(SLOT);
+    this.pool.tell(SLOT, (api) => api.tell(news));
+  }
+
+  private forget(): void {
+    this.told.clear();
+    this.inWorker = null;
+  }
+
+  private async start<T>(run: Run<T>, work: WorkOptions = {}): Promise<T> {
+    const task: Task<T, ComparisonApi> = {
+      clip: null,
+      signal: work.signal,
+      progress: work.onProgress,
+      run: (api: Remote<ComparisonApi>, job: JobId): Promise<Outcome<T>> => run(api, job),
+    };
+    return (await this.pool.send(task, SLOT)).value;
+  }
+
+  /** Starts again as long as the worker was replaced for another request's sake. */
+  private async again<T>(start: () => Promise<T>): Promise<T> {
+    for (let attempt = 1; ; attempt += 1) {
+      try {
+        return await start();
+      } catch (error) {
+        if (error instanceof WorkerLost && attempt < ATTEMPTS) continue;
+        if (error instanceof WorkerLost) throw new EngineError(failureOf('worker-died'), '');
+        throw error instanceof TaskFailed ? new EngineError(error.failure, '') : error;
+      }
+    }
+  }
+}
+
+/** What turns the features told into those wanted. */
+function newsBetween(
+  told: ReadonlyMap<ClipId, Told>,
+  wanted: ReadonlyMap<ClipId, Told>,
+): FeatureNews {
+  const fresh = [...wanted].filter(([clip, one]) => told.get(clip) !== one);
+  const values = new Float64Array(fresh.length * featureLength);
+  fresh.forEach(([, { feature }], index) => packFeature(feature, values, index));
   return {
-    setFeature: () => undefined,
-    compare: later,
-    cut: later,
-    picture: later,
-    explain: later,
-    neighbours: later,
-    evaluate: later,
-    warp: later,
-    exportFile: later,
-    destroy: () => undefined,
+    clips: Int32Array.from(fresh, ([clip]) => clip),
+    names: fresh.map(([, { name }]) => name),
+    values,
+    gone: Int32Array.from([...told.keys()].filter((clip) => !wanted.has(clip))),
   };
+}
+
+function anyOf(own: AbortSignal, other: AbortSignal | undefined): AbortSignal {
+  return other === undefined ? own : AbortSignal.any([own, other]);
 }

@@ -16,6 +16,13 @@ export interface ClipFeature {
   readonly acrossRigsByJoint: Float64Array;
 }
 
+/** The postures of one performer in time, and the frame of the file where they begin. */
+export interface PostureSequence {
+  readonly firstFrame: number;
+  /** Frames × 16 joints × 3, in body heights. */
+  readonly values: Float64Array;
+}
+
 /** Every distance there is; a new one is a line here, in the core and in the catalogue. */
 export const measures = ['posture-variation'] as const;
 export type Measure = (typeof measures)[number];

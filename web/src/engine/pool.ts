@@ -6,23 +6,34 @@ import type { JobId, Memory, Outcome, UnpackedEntry, WorkerApi, WorkerListener }
 import { failureOf } from './failures';
 import type { ClipId, Failure, Progress } from './types';
 
+/** What every worker of a pool understands. */
+export interface PooledApi {
+  listen(listener: WorkerListener): void;
+  cancel(job: JobId): void;
+}
+
 /** A worker as seen from outside: every answer is a promise. */
-export type RemoteWorker = {
-  readonly [K in keyof WorkerApi]: (
-    ...parameters: Parameters<WorkerApi[K]>
-  ) => Promise<Awaited<ReturnType<WorkerApi[K]>>>;
+export type Remote<Api> = {
+  readonly [K in keyof Api]: Api[K] extends (...parameters: infer P) => infer R
+    ? (...parameters: P) => Promise<Awaited<R>>
+    : never;
 };
 
+export type RemoteWorker = Remote<WorkerApi>;
+
 /** A worker and its life. */
-export interface PoolWorker {
-  readonly api: RemoteWorker;
+export interface PoolWorker<Api extends PooledApi = WorkerApi> {
+  readonly api: Remote<Api>;
   terminate(): void;
 }
 
 /** Starts a worker; `died` is called when it ends by itself. */
-export type Spawn = (listener: WorkerListener, died: (message: string) => void) => PoolWorker;
+export type Spawn<Api extends PooledApi = WorkerApi> = (
+  listener: WorkerListener,
+  died: (message: string) => void,
+) => PoolWorker<Api>;
 
-export interface Task<T> {
+export interface Task<T, Api = WorkerApi> {
   readonly clip: ClipId | null;
   readonly signal?: AbortSignal | undefined;
   /** Whether to go before the tasks that wait. */
@@ -32,7 +43,7 @@ export interface Task<T> {
   readonly progress?: ((progress: Progress) => void) | undefined;
   readonly entry?: (entry: UnpackedEntry) => void;
   readonly entryFailure?: (name: string, failure: Failure) => void;
-  run(api: RemoteWorker, job: JobId): Promise<Outcome<T>>;
+  run(api: Remote<Api>, job: JobId): Promise<Outcome<T>>;
 }
 
 export interface Landed<T> {
@@ -69,43 +80,43 @@ export function abortError(): DOMException {
 }
 
 /** A task in a worker. */
-interface Flight {
+interface Flight<Api> {
   readonly job: JobId;
-  readonly task: Task<unknown>;
+  readonly task: Task<unknown, Api>;
   readonly settle: (result: Landed<unknown> | Error) => void;
   /** Its clip was closed meanwhile: the worker goes if its memory has grown above this. */
   retireAbove: number;
 }
 
-interface Slot {
+interface Slot<Api extends PooledApi> {
   readonly index: number;
-  worker: PoolWorker | null;
-  readonly flights: Set<Flight>;
+  worker: PoolWorker<Api> | null;
+  readonly flights: Set<Flight<Api>>;
   /** The long task that occupies the slot. */
-  long: Flight | null;
+  long: Flight<Api> | null;
   wasmBytes: number;
   lastUsed: number;
   /** Whether to replace the worker once it has nothing to do. */
   tired: boolean;
 }
 
-interface Waiting {
+interface Waiting<Api> {
   readonly slot: number | null;
-  readonly task: Task<unknown>;
+  readonly task: Task<unknown, Api>;
   readonly settle: (result: Landed<unknown> | Error) => void;
 }
 
-export class Pool {
-  private readonly spawn: Spawn;
+export class Pool<Api extends PooledApi = WorkerApi> {
+  private readonly spawn: Spawn<Api>;
   private readonly replaced: (slot: number) => void;
-  private readonly slots: readonly Slot[];
-  private readonly waiting: Waiting[] = [];
+  private readonly slots: readonly Slot<Api>[];
+  private readonly waiting: Waiting<Api>[] = [];
   private lastJob = 0;
   private uses = 0;
   private destroyed = false;
 
   /** `replaced` is told of each slot whose worker has ended. */
-  constructor(spawn: Spawn, size: number, replaced: (slot: number) => void = () => undefined) {
+  constructor(spawn: Spawn<Api>, size: number, replaced: (slot: number) => void = () => undefined) {
     this.spawn = spawn;
     this.replaced = replaced;
     this.slots = Array.from({ length: size }, (_, index) => emptySlot(index));
@@ -117,7 +128,7 @@ export class Pool {
   }
 
   /** A long task: one at a time in a slot, the rest wait. In any slot, or in the one named. */
-  enqueue<T>(task: Task<T>, slot: number | null = null): Promise<Landed<T>> {
+  enqueue<T>(task: Task<T, Api>, slot: number | null = null): Promise<Landed<T>> {
     return this.promise(task, (settle) => {
       const waiting = { slot, task, settle };
       task.signal?.addEventListener('abort', () => this.withdraw(waiting), { once: true });
@@ -127,14 +138,14 @@ export class Pool {
   }
 
   /** A short task, sent at once to the slot named, also in the middle of a long one. */
-  send<T>(task: Task<T>, slot: number): Promise<Landed<T>> {
+  send<T>(task: Task<T, Api>, slot: number): Promise<Landed<T>> {
     return this.promise(task, (settle) => {
       this.launch(this.slotAt(slot), task, settle);
     });
   }
 
   /** A message without an answer; a slot without a worker has nothing to be told. */
-  tell(slot: number, message: (api: RemoteWorker) => Promise<void>): void {
+  tell(slot: number, message: (api: Remote<Api>) => Promise<void>): void {
     const { worker } = this.slotAt(slot);
     if (worker !== null) message(worker.api).catch(() => undefined);
   }
@@ -163,7 +174,7 @@ export class Pool {
   }
 
   private promise<T>(
-    task: Task<T>,
+    task: Task<T, Api>,
     start: (settle: (result: Landed<unknown> | Error) => void) => void,
   ): Promise<Landed<T>> {
     return new Promise((resolve, reject) => {
@@ -178,7 +189,7 @@ export class Pool {
     });
   }
 
-  private withdraw(waiting: Waiting): void {
+  private withdraw(waiting: Waiting<Api>): void {
     const index = this.waiting.indexOf(waiting);
     if (index < 0) return;
     this.waiting.splice(index, 1);
@@ -195,17 +206,21 @@ export class Pool {
     }
   }
 
-  private take(slot: number): Waiting | null {
-    const fits = (waiting: Waiting) => waiting.slot === null || waiting.slot === slot;
+  private take(slot: number): Waiting<Api> | null {
+    const fits = (waiting: Waiting<Api>) => waiting.slot === null || waiting.slot === slot;
     const urgent = this.waiting.findIndex((one) => fits(one) && one.task.urgent?.() === true);
     const index = urgent >= 0 ? urgent : this.waiting.findIndex(fits);
     return index < 0 ? null : (this.waiting.splice(index, 1)[0] ?? null);
   }
 
-  private launch(slot: Slot, task: Task<unknown>, settle: Waiting['settle']): Flight {
+  private launch(
+    slot: Slot<Api>,
+    task: Task<unknown, Api>,
+    settle: Waiting<Api>['settle'],
+  ): Flight<Api> {
     const worker = this.hire(slot);
     const retireAbove = Number.POSITIVE_INFINITY;
-    const flight: Flight = { job: ++this.lastJob, task, settle, retireAbove };
+    const flight: Flight<Api> = { job: ++this.lastJob, task, settle, retireAbove };
     slot.flights.add(flight);
     task.placed?.(slot.index);
     task.signal?.addEventListener('abort', () => this.cancel(slot, flight), { once: true });
@@ -216,7 +231,7 @@ export class Pool {
     return flight;
   }
 
-  private land(slot: Slot, flight: Flight, outcome: Outcome<unknown>): void {
+  private land(slot: Slot<Api>, flight: Flight<Api>, outcome: Outcome<unknown>): void {
     if (!slot.flights.has(flight)) return;
     if (outcome.status === 'trapped') {
       this.bury(slot, flight, outcome.message);
@@ -228,24 +243,24 @@ export class Pool {
     this.leave(slot, flight);
   }
 
-  private leave(slot: Slot, flight: Flight): void {
+  private leave(slot: Slot<Api>, flight: Flight<Api>): void {
     slot.flights.delete(flight);
     if (slot.long === flight) slot.long = null;
     this.rest(slot);
     this.dispatch();
   }
 
-  private tireAbove(slot: Slot, limitBytes: number): void {
+  private tireAbove(slot: Slot<Api>, limitBytes: number): void {
     if (slot.wasmBytes <= limitBytes) return;
     slot.tired = true;
     this.rest(slot);
   }
 
-  private rest(slot: Slot): void {
+  private rest(slot: Slot<Api>): void {
     if (slot.tired && slot.flights.size === 0) this.dismiss(slot, () => new WorkerLost());
   }
 
-  private cancel(slot: Slot, flight: Flight): void {
+  private cancel(slot: Slot<Api>, flight: Flight<Api>): void {
     const { worker } = slot;
     if (worker === null || !slot.flights.has(flight)) return;
     flight.settle(abortError());
@@ -266,13 +281,13 @@ export class Pool {
   }
 
   /** The worker is dead: the flight that did it fails, the others begin again. */
-  private bury(slot: Slot, culprit: Flight, message: string): void {
+  private bury(slot: Slot<Api>, culprit: Flight<Api>, message: string): void {
     if (!slot.flights.has(culprit)) return;
     culprit.settle(new TaskFailed(failureOf('worker-died', message)));
     this.dismiss(slot, () => new WorkerLost());
   }
 
-  private died(slot: Slot, worker: PoolWorker | null, message: string): void {
+  private died(slot: Slot<Api>, worker: PoolWorker<Api> | null, message: string): void {
     if (slot.worker !== worker) return;
     const [oldest] = slot.flights;
     const culprit = slot.long ?? oldest;
@@ -281,7 +296,7 @@ export class Pool {
   }
 
   /** Ends the worker; its slot gets a new one with the next task. */
-  private dismiss(slot: Slot, reason: () => Error): void {
+  private dismiss(slot: Slot<Api>, reason: () => Error): void {
     slot.worker?.terminate();
     const flights = [...slot.flights];
     Object.assign(slot, emptySlot(slot.index), { lastUsed: slot.lastUsed });
@@ -290,14 +305,14 @@ export class Pool {
     if (!this.destroyed) this.dispatch();
   }
 
-  private hire(slot: Slot): PoolWorker {
+  private hire(slot: Slot<Api>): PoolWorker<Api> {
     if (slot.worker !== null) return slot.worker;
     const worker = this.spawn(this.listenerOf(slot), (message) => this.died(slot, worker, message));
     slot.worker = worker;
     return worker;
   }
 
-  private listenerOf(slot: Slot): WorkerListener {
+  private listenerOf(slot: Slot<Api>): WorkerListener {
     const taskOf = (job: JobId) => {
       for (const flight of slot.flights) if (flight.job === job) return flight.task;
       return undefined;
@@ -315,14 +330,14 @@ export class Pool {
     };
   }
 
-  private slotAt(index: number): Slot {
+  private slotAt(index: number): Slot<Api> {
     const slot = this.slots[index];
     if (slot === undefined) throw new RangeError(`slot ${index} of ${this.slots.length}`);
     return slot;
   }
 }
 
-function emptySlot(index: number): Slot {
+function emptySlot<Api extends PooledApi>(index: number): Slot<Api> {
   return {
     index,
     worker: null,

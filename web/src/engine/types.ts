@@ -3,6 +3,8 @@
  * Frames count from 0 in the file; times are seconds; positions are in file units and world axes.
  */
 
+import type { ClipFeature, PostureSequence } from './comparison-types';
+
 /** Names of the principal joints and hips, as everywhere in Keypose's output. */
 export type Role =
   | 'left_hip'
@@ -199,6 +201,8 @@ export interface PerformerResult {
   readonly unanalysed: Failure | null;
   /** Posture-variation feature, squared body heights. */
   readonly feature: Float64Array | null;
+  /** What the performer is compared by; null where it is not human or has less than two frames. */
+  readonly comparable: ClipFeature | null;
   /** The most unusual keypose (or frame) for the thumbnail. */
   readonly thumbnailFrame: number;
   /** Yaw of a viewer (radians, as in figure/up-frame.ts) who sees the figures' widest side. */
@@ -217,6 +221,26 @@ export interface ClipResult {
   /** Notes of the reading; each performer has its own besides. */
   readonly notes: readonly Note[];
   readonly performers: readonly PerformerResult[];
+  /** World positions of the first performer's joints at its thumbnail frame; empty without frames. */
+  readonly thumbnailPose: Float32Array;
+}
+
+/** What a first, quick reading tells of one clip among many: enough to compare it. */
+export interface ClipSurvey {
+  readonly id: ClipId;
+  /** Why the file could not be read; the rest says nothing then. */
+  readonly failure: Failure | null;
+  readonly frames: number;
+  readonly frameTimeS: number;
+  /** null with `incomparable` saying why. */
+  readonly feature: ClipFeature | null;
+  readonly incomparable: Failure | null;
+}
+
+/** One clip of many to survey. */
+export interface SurveyItem {
+  readonly id: ClipId;
+  readonly source: ClipSource;
 }
 
 /** Where a clip's bytes are: a File or Blob that stays readable while the clip is open. */
@@ -277,6 +301,14 @@ export interface Engine {
     options: MethodOptions,
     work?: WorkOptions,
   ): Promise<ClipResult>;
+  /** Reads many clips for what comparing needs, a group at a time; their motions are not kept. */
+  survey(
+    items: readonly SurveyItem[],
+    onSurveyed: (some: readonly ClipSurvey[]) => void,
+    work?: WorkOptions,
+  ): Promise<void>;
+  /** The postures of a performer, frame by frame, for warping. */
+  postures(id: ClipId, performer: number, work?: WorkOptions): Promise<PostureSequence>;
   /** World positions of all joints at the frames given: frames × joints × 3, file units. */
   poses(
     id: ClipId,

@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import { createStore, addClip, patchClip } from '../app/store';
+import { addClips, patchClip } from '../app/clip-changes';
+import { createStore } from '../app/store';
 import type { ClipResult } from '../engine/types';
 import { createTrailChoice } from './trail-choice';
 
@@ -8,7 +9,7 @@ function choiceWith(...trailJoints: number[]) {
   const performer = { trailJoints: Int32Array.from(trailJoints), keyposes: null };
   const result = { frames: 1, performers: [performer, performer] } as unknown as ClipResult;
   for (const name of ['a', 'b']) {
-    const clip = addClip(store, { name, folder: '', blob: new Blob() });
+    const [clip] = addClips(store, [{ name, folder: '', blob: new Blob() }]);
     patchClip(store, clip.id, { result });
   }
   store.openId.value = 0;

@@ -1,0 +1,82 @@
+/**
+ * What the page and the comparison's worker say to each other: plain data and typed arrays. Features
+ * are told once; every request but `compare` and `warp` speaks of the comparison made last.
+ */
+import type {
+  ClipFeature,
+  Comparison,
+  ComparisonExportKind,
+  ComparisonSettings,
+  Cut,
+  Evaluation,
+  Explanation,
+  LabelledCut,
+  MatrixPicture,
+  MatrixRegion,
+  Neighbour,
+  PostureSequence,
+  Warping,
+  WarpSettings,
+} from './comparison-types';
+import type { JobId, Outcome, WorkerListener } from './protocol';
+import type { ClipId } from './types';
+
+/** Features that came and clips whose feature went. */
+export interface FeatureNews {
+  readonly clips: Int32Array;
+  readonly names: readonly string[];
+  /** Clips × `featureLength`. */
+  readonly values: Float64Array;
+  readonly gone: Int32Array;
+}
+
+/** What a comparison's worker does. Every method but `tell` and `cancel` ends with an outcome. */
+export interface ComparisonApi {
+  listen(listener: WorkerListener): void;
+  cancel(job: JobId): void;
+  tell(news: FeatureNews): void;
+  compare(
+    job: JobId,
+    settings: ComparisonSettings,
+    clips: Int32Array,
+  ): Promise<Outcome<Comparison>>;
+  cut(job: JobId, clusters: number): Promise<Outcome<Cut>>;
+  picture(job: JobId, region: MatrixRegion): Promise<Outcome<MatrixPicture>>;
+  explain(job: JobId, a: ClipId, b: ClipId): Promise<Outcome<Explanation>>;
+  neighbours(job: JobId, clip: ClipId, most: number): Promise<Outcome<readonly Neighbour[]>>;
+  evaluate(job: JobId, labelled: LabelledCut): Promise<Outcome<Evaluation>>;
+  exportFile(job: JobId, kind: ComparisonExportKind, labelled: LabelledCut): Promise<Outcome<Blob>>;
+  warp(
+    job: JobId,
+    a: PostureSequence,
+    b: PostureSequence,
+    settings: WarpSettings,
+  ): Promise<Outcome<Warping>>;
+}
+
+const jointValues = 16 * 12;
+
+/** Numbers of one feature when packed: recorded, across rigs, both by joint. */
+export const featureLength = 2 * 12 + 2 * jointValues;
+
+/** Writes a feature into its place among packed ones. */
+export function packFeature(feature: ClipFeature, into: Float64Array, index: number): void {
+  const at = index * featureLength;
+  into.set(feature.recorded, at);
+  into.set(feature.acrossRigs, at + 12);
+  into.set(feature.recordedByJoint, at + 24);
+  into.set(feature.acrossRigsByJoint, at + 24 + jointValues);
+}
+
+/** The feature at a place among packed ones; its arrays are parts of the packed one. */
+export function unpackFeature(packed: Float64Array, index: number, performer: number): ClipFeature {
+  const part = (at: number, length: number): Float64Array =>
+    packed.subarray(index * featureLength + at, index * featureLength + at + length);
+  return {
+    performer,
+    recorded: part(0, 12),
+    acrossRigs: part(12, 12),
+    recordedByJoint: part(24, jointValues),
+    acrossRigsByJoint: part(24 + jointValues, jointValues),
+  };
+}
