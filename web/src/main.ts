@@ -13,7 +13,7 @@ import { createStore } from './app/store';
 import { createTheme } from './app/theme';
 import { installIcons } from './common/icons';
 import { createBrowserEngine } from './engine/browser-engine';
-import { createBrowserComparer } from './engine/comparer';
+import { createBrowserComparer } from './engine/browser-comparer';
 import type { ClipId } from './engine/types';
 import { followOpenClip } from './player/follow-clip';
 import { listenToKeys } from './player/keys';

@@ -3,6 +3,7 @@ import { batch } from '@preact/signals-core';
 import type { ClipId, ClipSource, Engine, ExportKind, MethodOptions } from '../engine/types';
 import { saveBlob, saveText } from '../common/save-file';
 import { createAnalysis } from './analysis';
+import { createBacklog } from './backlog';
 import { patchClip } from './clip-changes';
 import { decisionLabels, withDecision, type DecisionChange, type JointsChange } from './decisions';
 import { failureOf } from './failure';
@@ -73,11 +74,13 @@ class PageActions implements Actions {
     this.analysis = createAnalysis(engine, store, (name, error) => this.tellError(name, error));
     this.options = createOptionChanges(parts, this.analysis, () => performance.now());
     this.opener = createOpener(store, (id) => this.openClip(id));
+    const now = (): number => performance.now();
     this.loader = createLoader({
       engine,
       store,
       analysis: this.analysis,
-      now: () => performance.now(),
+      backlog: createBacklog({ store, analysis: this.analysis, now }),
+      now,
       onStart: (id) => this.opener.started(id),
       onSettled: (id, batchSize) => this.opener.settled(id, batchSize),
       onEnd: (report) => {

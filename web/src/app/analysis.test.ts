@@ -18,11 +18,11 @@ function setUp() {
       analysed.push(options);
       return Promise.resolve(testResult(10, analysed.length));
     },
-    poses: () => Promise.reject(new Error('none')),
   } as unknown as Engine;
   const analysis = createAnalysis(engine, store, () => undefined);
   const source = { name: 'a.bvh', folder: '', blob: new Blob(['x']) };
   const [{ id }] = addClips(store, [source]);
+  store.openId.value = id;
   const opening = analysis.open(id, new AbortController().signal);
   return { store, opened, analysed, analysis, opening };
 }

@@ -12,7 +12,7 @@ import type {
   Progress,
 } from '../engine/types';
 import { flatFigure, type FlatFigure } from '../figure/flat-figure';
-import { clipNow, patchClip, patchClipSoon } from './clip-changes';
+import { clipNow, flushClips, patchClip, patchClipSoon } from './clip-changes';
 import type { Clip } from './clips';
 import { comparableOf } from './comparable';
 import { failureOf, isAbort } from './failure';
@@ -82,6 +82,7 @@ class ClipAnalysis implements Analysis {
   }
 
   setOptions(options: MethodOptions): void {
+    flushClips(this.store);
     const analysed = this.store.clips.peek().filter(({ result }) => result !== null);
     this.store.options.value = options;
     this.store.clips.value = this.store.clips

@@ -58,7 +58,7 @@ export function newClip(id: ClipId, source: ClipSource): Clip {
   };
 }
 
-/** Whether nothing of the file is known yet. */
+/** Whether nothing is known of the file yet. */
 export const isBusy = ({ status }: Clip): boolean =>
   status === 'waiting' || status === 'reading' || status === 'analysing';
 

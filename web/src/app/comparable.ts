@@ -1,5 +1,6 @@
 /** A clip's result in; what it is compared by, or why it cannot be compared, out. */
 import type { ClipFeature } from '../engine/comparison-types';
+import { incomparableOf } from '../engine/failures';
 import type { ClipResult } from '../engine/types';
 import type { Clip } from './clips';
 
@@ -31,7 +32,5 @@ export function comparableOf(
   if (feature !== null) {
     return { feature: before && isSame(before, feature) ? before : feature, incomparable: null };
   }
-  const human = performers.some(({ body }) => body?.kind === 'human');
-  const kind = human ? 'too-short-to-compare' : 'not-human-to-compare';
-  return { feature, incomparable: { kind, line: null, column: null, details: [] } };
+  return { feature, incomparable: incomparableOf(performers) };
 }

@@ -7,11 +7,12 @@ import { createStore } from './store';
 function setUp(
   open: (id: number, signal: AbortSignal) => Promise<void> = () => Promise.resolve(),
   unzip: Engine['unzip'] = () => Promise.reject(new Error('no')),
+  survey: Engine['survey'] = () => Promise.reject(new Error('no')),
 ) {
   const store = createStore();
   const reports: BatchReport[] = [];
   const loader = createLoader({
-    engine: { unzip },
+    engine: { unzip, survey },
     store,
     analysis: {
       open: async (id, signal) => {
@@ -19,6 +20,7 @@ function setUp(
         patchClip(store, id, { status: 'ready' });
       },
     },
+    backlog: { add: () => undefined, hold: () => undefined, cancel: () => undefined },
     now: () => 0,
     onStart: () => undefined,
     onSettled: () => undefined,

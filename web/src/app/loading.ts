@@ -1,28 +1,19 @@
 /**
  * Files given in; clips in the library out. Everything given while files are still being read joins
- * the same batch: one progress, one cancel.
+ * the same batch: one progress, one cancel. A few files are analysed one by one; of many, all are
+ * surveyed first, so that they can be compared, and their keyposes follow.
  */
-import { batch as together } from '@preact/signals-core';
-import type { ClipId, ClipSource, Engine, EngineError, Failure } from '../engine/types';
+import type { ClipId, ClipSource, ClipSurvey, Engine, EngineError } from '../engine/types';
 import type { Analysis } from './analysis';
-import { isBusy, isSameSource } from './clips';
+import type { Backlog } from './backlog';
+import { newBatch, stateOf, type Batch, type BatchReport } from './batch';
+import { addClips, clipNow, flushClips, patchClipSoon, patchClips } from './clip-changes';
+import { isBusy, sourceKey, type Clip } from './clips';
 import { failureOf, isAbort } from './failure';
 import { isMotionName, takeIn, type Given, type IntakeEvents } from './intake';
-import { addClip, patchClip, type LoadingState, type Store } from './store';
-import { estimateSecondsLeft } from './time-left';
+import type { Store } from './store';
 
-/** What is told when a batch has ended. */
-export interface BatchReport {
-  readonly cancelled: boolean;
-  readonly clips: readonly ClipId[];
-  readonly failed: readonly ClipId[];
-  /** Names of files given by themselves that are no motions. */
-  readonly others: readonly string[];
-  readonly emptyFolders: readonly string[];
-  readonly archives: readonly { readonly name: string; readonly failure: Failure }[];
-  /** Clips that were in the library already. */
-  readonly known: readonly ClipId[];
-}
+export type { BatchReport } from './batch';
 
 export interface Loader {
   readonly take: (given: readonly Given[]) => Promise<void>;
@@ -33,44 +24,21 @@ export interface Loader {
 const tellMs = 60;
 /** What is done within a moment needs no progress. */
 const quietMs = 300;
-
-interface Batch {
-  readonly abort: AbortController;
-  readonly startedMs: number;
-  readonly clips: ClipId[];
-  readonly others: string[];
-  readonly emptyFolders: string[];
-  readonly archives: { name: string; failure: Failure }[];
-  readonly known: ClipId[];
-  readonly pending: Set<Promise<void>>;
-  searching: number;
-  ended: boolean;
-}
+/** When more files than this wait, they are surveyed. */
+const surveyedAbove = 40;
+/** Analyses asked of the engine at a time: more than it has workers. */
+const atOnce = 12;
 
 export interface LoaderParts {
-  readonly engine: Pick<Engine, 'unzip'>;
+  readonly engine: Pick<Engine, 'unzip' | 'survey'>;
   readonly store: Store;
   readonly analysis: Pick<Analysis, 'open'>;
+  readonly backlog: Pick<Backlog, 'add' | 'hold' | 'cancel'>;
   readonly now: () => number;
   readonly onStart: (id: ClipId) => void;
   /** The work on a clip has ended, well or not. */
   readonly onSettled: (id: ClipId, batchSize: number) => void;
   readonly onEnd: (report: BatchReport) => void;
-}
-
-function newBatch(startedMs: number): Batch {
-  return {
-    abort: new AbortController(),
-    startedMs,
-    clips: [],
-    others: [],
-    emptyFolders: [],
-    archives: [],
-    known: [],
-    pending: new Set(),
-    searching: 0,
-    ended: false,
-  };
 }
 
 export function createLoader(parts: LoaderParts): Loader {
@@ -80,6 +48,8 @@ export function createLoader(parts: LoaderParts): Loader {
 class BatchLoader implements Loader {
   private batch: Batch | null = null;
   private timer: ReturnType<typeof setTimeout> | null = null;
+  /** The clip of each file. */
+  private readonly ids = new Map<string, ClipId>();
   private readonly parts: LoaderParts;
 
   constructor(parts: LoaderParts) {
@@ -100,17 +70,20 @@ class BatchLoader implements Loader {
   /** What is given from now on is a batch of its own, also while the cancelled one still ends. */
   cancel(): void {
     const { batch } = this;
-    if (!batch) return;
-    this.batch = null;
-    if (this.timer !== null) clearTimeout(this.timer);
-    this.timer = null;
+    if (!batch) {
+      this.parts.backlog.cancel();
+      return;
+    }
+    this.leave();
     batch.abort.abort();
+    batch.arriving.clear();
+    batch.queue.length = 0;
     this.takeOutUnread(batch);
   }
 
   /** Runs a search for files in the current batch; the last one out ends the batch. */
   private async within(search: (batch: Batch) => Promise<void>): Promise<void> {
-    const batch = (this.batch ??= newBatch(this.parts.now()));
+    const batch = (this.batch ??= this.begin());
     batch.searching += 1;
     try {
       await search(batch);
@@ -118,9 +91,25 @@ class BatchLoader implements Loader {
       if (!isAbort(error)) batch.archives.push({ name: '', failure: failureOf(error) });
     }
     batch.searching -= 1;
+    this.settleIn(batch);
     this.tell(batch);
     while (batch.pending.size > 0) await Promise.all(batch.pending);
     if (batch.searching === 0 && !batch.ended) this.end(batch);
+  }
+
+  private begin(): Batch {
+    this.parts.store.reading.value = true;
+    this.parts.backlog.hold(true);
+    return newBatch(this.parts.now());
+  }
+
+  private leave(): void {
+    this.batch = null;
+    if (this.timer !== null) clearTimeout(this.timer);
+    this.timer = null;
+    this.parts.store.loading.value = null;
+    this.parts.store.reading.value = false;
+    this.parts.backlog.hold(false);
   }
 
   private eventsOf(batch: Batch): IntakeEvents {
@@ -151,31 +140,109 @@ class BatchLoader implements Loader {
     }
   }
 
-  /** Takes a file into the library unless it is there; one that could not be read is tried again. */
+  /** Takes a file in unless it is there; the first at once, the others in one go with their neighbours. */
   private start(batch: Batch, source: ClipSource): void {
     if (batch.abort.signal.aborted) return;
-    const { store } = this.parts;
-    const same = store.present.peek().find((clip) => isSameSource(clip.source, source));
-    if (same && same.status !== 'failed') {
-      batch.known.push(same.id);
-      return;
+    const key = sourceKey(source);
+    if (batch.arriving.has(key) || this.isThere(key)) batch.known.push(key);
+    else batch.arriving.set(key, source);
+    if (batch.clips.length === 0) this.settleIn(batch);
+    else batch.timer ??= setTimeout(() => this.settleIn(batch));
+  }
+
+  private isThere(key: string): boolean {
+    const clip = this.clipOf(this.ids.get(key));
+    return clip !== undefined && !clip.removed && clip.status !== 'failed';
+  }
+
+  /** Takes what has arrived into the library; what could not be read before is tried again. */
+  private settleIn(batch: Batch): void {
+    if (batch.timer !== null) clearTimeout(batch.timer);
+    batch.timer = null;
+    if (batch.arriving.size === 0) return;
+    const { store, onStart } = this.parts;
+    const again = [...batch.arriving.keys()].flatMap((key) => this.ids.get(key) ?? []);
+    if (again.length > 0)
+      patchClips(
+        store,
+        again.map((id) => [id, { removed: true }] as const),
+      );
+    const added = addClips(store, [...batch.arriving.values()]);
+    [...batch.arriving.keys()].forEach((key, index) => this.ids.set(key, added[index].id));
+    batch.arriving.clear();
+    for (const { id, source } of added) {
+      batch.clips.push(id);
+      batch.queue.push(id);
+      batch.bytes += source.blob.size;
+      onStart(id);
     }
-    if (same) patchClip(store, same.id, { removed: true });
-    const { id } = addClip(store, source);
-    batch.clips.push(id);
-    this.parts.onStart(id);
-    const work = this.work(batch, id).finally(() => batch.pending.delete(work));
-    batch.pending.add(work);
+    this.dispatch(batch);
     this.tell(batch);
   }
 
-  private async work(batch: Batch, id: ClipId): Promise<void> {
+  private dispatch(batch: Batch): void {
+    if (batch.queue.length > surveyedAbove) {
+      this.track(batch, this.survey(batch, batch.queue.splice(0)));
+    }
+    while (batch.opening < atOnce && batch.queue.length > 0) {
+      const [id] = batch.queue.splice(0, 1);
+      batch.opening += 1;
+      this.track(batch, this.open(batch, id));
+    }
+  }
+
+  private track(batch: Batch, promise: Promise<void>): void {
+    const work = promise.finally(() => batch.pending.delete(work));
+    batch.pending.add(work);
+  }
+
+  private async open(batch: Batch, id: ClipId): Promise<void> {
     try {
       await this.parts.analysis.open(id, batch.abort.signal);
-      this.parts.onSettled(id, batch.clips.length);
+      this.settled(batch, id);
     } catch (error) {
       if (!isAbort(error)) throw error;
     }
+    batch.opening -= 1;
+    this.dispatch(batch);
+  }
+
+  private async survey(batch: Batch, ids: readonly ClipId[]): Promise<void> {
+    const items = ids.flatMap((id) => {
+      const clip = this.clipOf(id);
+      return clip ? [{ id, source: clip.source }] : [];
+    });
+    const onSurveyed = (some: readonly ClipSurvey[]): void => {
+      if (batch.abort.signal.aborted) return;
+      for (const one of some) this.accept(batch, one);
+    };
+    try {
+      await this.parts.engine.survey(items, onSurveyed, { signal: batch.abort.signal });
+    } catch (error) {
+      if (!isAbort(error)) throw error;
+    }
+  }
+
+  private accept(batch: Batch, survey: ClipSurvey): void {
+    const { id, failure, frames, frameTimeS, feature, incomparable } = survey;
+    const read = { extent: { frames, frameTimeS }, feature, incomparable };
+    patchClipSoon(
+      this.parts.store,
+      id,
+      failure === null
+        ? { status: 'surveyed', progress: 1, failure: null, ...read }
+        : { status: 'failed', failure },
+    );
+    if (failure === null) batch.surveyed.push(id);
+    this.settled(batch, id);
+  }
+
+  private settled(batch: Batch, id: ClipId): void {
+    const clip = this.clipOf(id);
+    batch.settled.add(id);
+    batch.bytesDone += clip?.source.blob.size ?? 0;
+    if (clip?.status === 'failed') batch.failed.push(id);
+    this.parts.onSettled(id, batch.clips.length);
     this.tell(batch);
   }
 
@@ -184,59 +251,58 @@ class BatchLoader implements Loader {
     const { store } = this.parts;
     const end = fileName.lastIndexOf('/');
     const folder = fileName.slice(0, Math.max(0, end));
-    const { id } = addClip(store, { name: fileName.slice(end + 1), folder, blob: new Blob() });
-    patchClip(store, id, { status: 'failed', failure });
+    const source = { name: fileName.slice(end + 1), folder, blob: new Blob() };
+    const [{ id }] = addClips(store, [source]);
+    patchClips(store, [[id, { status: 'failed', failure }]]);
     batch.clips.push(id);
+    batch.settled.add(id);
+    batch.failed.push(id);
   }
 
   /** Tells how far the batch is, not more often than one can read it. */
   private tell(batch: Batch): void {
+    if (this.batch !== batch) return;
     const waitMs = Math.max(tellMs, quietMs - (this.parts.now() - batch.startedMs));
     this.timer ??= setTimeout(() => {
       this.timer = null;
-      if (this.batch === batch) this.parts.store.loading.value = this.stateOf(batch);
+      this.parts.store.loading.value = stateOf(batch, this.parts.now());
     }, waitMs);
   }
 
-  private stateOf(batch: Batch): LoadingState {
-    const clips = batch.clips.map((id) => this.parts.store.clips.peek()[id]);
-    const done = clips.filter((clip) => !isBusy(clip));
-    const bytes = clips.reduce((sum, { source }) => sum + source.blob.size, 0);
-    const bytesDone = done.reduce((sum, { source }) => sum + source.blob.size, 0);
-    const elapsedS = (this.parts.now() - batch.startedMs) / 1000;
-    return {
-      total: clips.length,
-      done: done.length,
-      failed: done.filter(({ status }) => status === 'failed').length,
-      searching: batch.searching > 0,
-      fraction: bytes > 0 ? bytesDone / bytes : 0,
-      secondsLeft: batch.searching > 0 ? null : estimateSecondsLeft(elapsedS, bytesDone, bytes),
-    };
-  }
-
   private takeOutUnread(batch: Batch): void {
-    const { store } = this.parts;
-    const unread = batch.clips.filter((id) => isBusy(store.clips.peek()[id]));
-    together(() => {
-      for (const id of unread) patchClip(store, id, { removed: true });
-      if (this.batch === null) store.loading.value = null;
-    });
+    const unread = batch.clips.filter((id) => this.isUnread(id));
+    if (unread.length === 0) return;
+    patchClips(
+      this.parts.store,
+      unread.map((id) => [id, { removed: true }] as const),
+    );
   }
 
   private end(batch: Batch): void {
-    const { store, onEnd } = this.parts;
+    const { store, backlog, onEnd } = this.parts;
     batch.ended = true;
-    if (this.batch === batch) this.batch = null;
+    flushClips(store);
+    if (this.batch === batch) this.leave();
     this.takeOutUnread(batch);
-    const clips = batch.clips.map((id) => store.clips.peek()[id]);
+    const cancelled = batch.abort.signal.aborted;
+    if (!cancelled) backlog.add(batch.surveyed);
     onEnd({
-      cancelled: batch.abort.signal.aborted,
-      clips: clips.filter((clip) => !isBusy(clip)).map(({ id }) => id),
-      failed: clips.filter(({ status }) => status === 'failed').map(({ id }) => id),
+      cancelled,
+      clips: batch.clips.filter((id) => !this.isUnread(id)),
+      failed: batch.failed,
       others: batch.others,
       emptyFolders: batch.emptyFolders,
       archives: batch.archives,
-      known: batch.known,
+      known: batch.known.flatMap((key) => this.ids.get(key) ?? []),
     });
+  }
+
+  private isUnread(id: ClipId): boolean {
+    const clip = this.clipOf(id);
+    return clip !== undefined && isBusy(clip);
+  }
+
+  private clipOf(id: ClipId | undefined): Clip | undefined {
+    return id === undefined ? undefined : clipNow(this.parts.store, id);
   }
 }

@@ -3,6 +3,7 @@
  * cannot be read the first that can; and a file that was given alone.
  */
 import type { ClipId } from '../engine/types';
+import { flushClips } from './clip-changes';
 import type { Store } from './store';
 
 export interface Opener {
@@ -15,7 +16,10 @@ export function createOpener(store: Store, open: (id: ClipId) => void): Opener {
   /** The clip that nobody chose. */
   let unchosen: ClipId | null = null;
   const openFirstReady = (): void => {
-    const ready = store.shown.peek().find(({ status }) => status === 'ready');
+    flushClips(store);
+    const ready = store.shown
+      .peek()
+      .find(({ status }) => status === 'ready' || status === 'surveyed');
     if (ready) open(ready.id);
   };
   const isFailure = (): boolean =>

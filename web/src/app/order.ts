@@ -14,7 +14,7 @@ export const sortKeys: readonly SortKey[] = ['arrival', 'name', 'length', 'keypo
 const byName = new Intl.Collator(['en', 'ja'], { numeric: true, sensitivity: 'base' });
 
 const measures: Readonly<Record<'length' | 'keyposes', (clip: Clip) => number | null>> = {
-  length: (clip) => (clip.result ? lengthOf(clip.result) : null),
+  length: (clip) => (clip.extent ? lengthOf(clip.extent) : null),
   keyposes: (clip) => (isAnalysed(clip) ? keyposeCount(clip) : null),
 };
 

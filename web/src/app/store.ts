@@ -3,12 +3,7 @@
  * once. Clips are never moved in their list, so that a clip's id is its index.
  */
 import { computed, signal, type ReadonlySignal, type Signal } from '@preact/signals-core';
-import type {
-  ClipId,
-  MethodOptions,
-  MethodSettings,
-  PerformerResult,
-} from '../engine/types';
+import type { ClipId, MethodOptions, MethodSettings, PerformerResult } from '../engine/types';
 import type { LoopRange } from '../player/clock';
 import { nearestIndex } from '../player/neighbours';
 import { keyposeFrames, type Clip } from './clips';
@@ -41,6 +36,8 @@ export type InspectorTab = 'method' | 'body' | 'doctor' | 'export';
 
 /** Files on their way into the library. */
 export interface LoadingState {
+  /** Keyposes: the files are read and can be compared; their keyposes follow. */
+  readonly stage: 'reading' | 'keyposes';
   readonly total: number;
   readonly done: number;
   readonly failed: number;
@@ -79,6 +76,8 @@ export interface Store {
   readonly folded: Signal<ReadonlySet<FoldableRow>>;
   readonly inspectorTab: Signal<InspectorTab>;
   readonly loading: Signal<LoadingState | null>;
+  /** Files are on their way; true from the first moment, when `loading` has nothing to tell yet. */
+  readonly reading: Signal<boolean>;
   readonly toast: Signal<Toast | null>;
   /** Draws the stage as a PNG; null while nothing is drawn. */
   readonly picture: Signal<(() => Promise<Blob>) | null>;
@@ -130,6 +129,7 @@ function writtenState() {
     folded: signal<ReadonlySet<FoldableRow>>(new Set()),
     inspectorTab: signal<InspectorTab>('method'),
     loading: signal<LoadingState | null>(null),
+    reading: signal(false),
     toast: signal<Toast | null>(null),
     picture: signal<(() => Promise<Blob>) | null>(null),
     helpOpen: signal(false),

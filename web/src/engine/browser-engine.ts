@@ -3,7 +3,7 @@
  */
 import { proxy, wrap } from 'comlink';
 import { createEngine, workerCount } from './engine';
-import type { PoolWorker, RemoteWorker } from './pool';
+import type { PoolWorker, RemoteWorker } from './pool-task';
 import type { WorkerApi, WorkerListener } from './protocol';
 import type { Engine } from './types';
 

@@ -3,7 +3,9 @@
  * Every request carries all that is needed to begin again, so that nothing depends on its history.
  */
 import { transfer } from 'comlink';
+import type { PostureSequence } from './comparison-types';
 import { failureOf } from './failures';
+import { failureIn, readingError } from './failure-in';
 import { buffersOf } from './handing-over';
 import { HeldClip } from './held-clip';
 import type {
@@ -11,27 +13,25 @@ import type {
   JobId,
   Memory,
   Outcome,
+  SurveyGroup,
   UnpackedEntry,
   WorkerApi,
   WorkerListener,
 } from './protocol';
 import { type Core, CoreFailure } from './raw';
 import { slicesOf } from './slices';
+import { posturesOf, surveyAll } from './survey';
 import { Cancelled, Jobs } from './turns';
 import type {
   ClipId,
   ClipResult,
   ExportKind,
-  Failure,
   MethodSettings,
   Progress,
   SampleInfo,
+  SurveyItem,
 } from './types';
 import { unzipMotions } from './unzip';
-import { ZipError } from './zip-directory';
-
-/** Work goes on for so long between two looks at messages: steps stay below 50 ms. */
-const TURN_MS = 20;
 
 /** Progress is told at most so often. */
 const PROGRESS_MS = 50;
@@ -68,7 +68,8 @@ export class ClipWorker implements WorkerApi {
           frame,
           pose: held.core.poses(performer, Int32Array.of(frame)),
         }));
-        return result;
+        const thumbnailPose = held.thumbnails[0]?.pose.slice() ?? new Float32Array();
+        return { ...result, thumbnailPose };
       }),
     );
   }
@@ -98,6 +99,26 @@ export class ClipWorker implements WorkerApi {
       await this.ensureMotion(NOBODYS_JOB, clip, held);
       return held.core.poseRange(performer, firstFrame, count);
     });
+  }
+
+  postures(job: JobId, clip: ClipRef, performer: number): Promise<Outcome<PostureSequence>> {
+    return this.withClip(job, clip, (held) =>
+      held.inTurn(async () => {
+        await this.ensureMotion(job, clip, held);
+        if (held.analysedAs !== settingsKey(clip)) {
+          held.analysedAs = null;
+          held.core.beginAnalysis(clip.decisions, clip.options);
+        }
+        await this.steps(job, () => held.core.stepSurvey());
+        return posturesOf(held.core, performer);
+      }),
+    );
+  }
+
+  survey(job: JobId, clips: readonly SurveyItem[]): Promise<Outcome<SurveyGroup>> {
+    return this.outcome(job, null, (core) =>
+      surveyAll(core, clips, (step) => this.steps(job, step)),
+    );
   }
 
   exportText(job: JobId, clip: ClipRef, kind: ExportKind): Promise<Outcome<string>> {
@@ -235,15 +256,29 @@ export class ClipWorker implements WorkerApi {
   private async runAnalysis(job: JobId, clip: ClipRef, held: HeldClip): Promise<void> {
     held.core.beginAnalysis(clip.decisions, clip.options);
     held.analysedAs = null;
-    let done = 0;
-    while (done < 1) {
-      const end = performance.now() + TURN_MS;
-      while (done < 1 && performance.now() < end) done = held.core.step();
-      const whole = READING_PART + (1 - READING_PART) * done;
-      this.tell(job, { stage: 'analysing', done: whole });
-      await this.jobs.turn(job);
-    }
+    await this.steps(
+      job,
+      () => held.core.step(),
+      (done) => {
+        const whole = READING_PART + (1 - READING_PART) * done;
+        this.tell(job, { stage: 'analysing', done: whole });
+      },
+    );
+    await this.jobs.turn(job);
     held.analysedAs = settingsKey(clip);
+  }
+
+  /** Steps until one says 1, with a look at messages between whenever it is time. */
+  private async steps(
+    job: JobId,
+    step: () => number,
+    tell: (done: number) => void = () => undefined,
+  ): Promise<void> {
+    for (let done = 0; done < 1;) {
+      while (done < 1 && !this.jobs.isTurnOver()) done = step();
+      tell(done);
+      if (this.jobs.isTurnOver()) await this.jobs.turn(job);
+    }
   }
 
   private async digest(job: JobId, blob: Blob): Promise<string> {
@@ -272,17 +307,4 @@ export class ClipWorker implements WorkerApi {
 /** Tells settings apart. */
 function settingsKey({ decisions, options }: ClipRef): string {
   return JSON.stringify([decisions, options]);
-}
-
-/** The failure that an error stands for; null where it stands for none. */
-function failureIn(error: unknown): Failure | null {
-  if (error instanceof CoreFailure) return error.failure;
-  if (error instanceof ZipError) return failureOf(error.kind);
-  return error instanceof DOMException ? failureOf('not-readable') : null;
-}
-
-/** A Blob that cannot be read any more belongs to a file that was changed or removed. */
-function readingError(error: unknown, readBefore: boolean): unknown {
-  if (!(error instanceof DOMException)) return error;
-  return new CoreFailure(failureOf(readBefore ? 'changed-on-disk' : 'not-readable'));
 }

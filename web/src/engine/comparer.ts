@@ -26,7 +26,8 @@ import type {
   WarpSettings,
 } from './comparison-types';
 import { failureOf } from './failures';
-import { Pool, type Remote, type Spawn, type Task, TaskFailed, WorkerLost } from './pool';
+import { Pool } from './pool';
+import { type Remote, type Spawn, type Task, TaskFailed, WorkerLost } from './pool-task';
 import type { JobId, Outcome } from './protocol';
 import { type ClipId, type Engine, EngineError, type WorkOptions } from './types';
 
@@ -148,9 +149,8 @@ class WorkerComparer implements Comparer {
   private comparison(compared: Compared, work: WorkOptions = {}): Promise<Comparison> {
     const clips = Int32Array.from(compared.clips.keys());
     return this.again(async () => {
-      this.tell(compared.clips);
       const found = await this.start(
-        (api, job) => api.compare(job, compared.settings, clips),
+        (api, job) => api.compare(job, compared.settings, clips, this.news(compared.clips)),
         work,
       );
       this.inWorker = compared;
@@ -158,14 +158,12 @@ class WorkerComparer implements Comparer {
     });
   }
 
-  /** Tells the worker what it does not know yet. */
-  private tell(wanted: ReadonlyMap<ClipId, Told>): void {
+  /** What the worker does not know yet. */
+  private news(wanted: ReadonlyMap<ClipId, Told>): FeatureNews {
     const news = newsBetween(this.told, wanted);
-    if (news.clips.length + news.gone.length === 0) return;
     for (const clip of news.gone) this.told.delete(clip);
     for (const [clip, one] of wanted) this.told.set(clip, one);
-    this.pool.hire(SLOT);
-    this.pool.tell(SLOT, (api) => api.tell(news));
+    return news;
   }
 
   private forget(): void {

@@ -1,6 +1,6 @@
 /**
  * What the page and the comparison's worker say to each other: plain data and typed arrays. Features
- * are told once; every request but `compare` and `warp` speaks of the comparison made last.
+ * are told once, with a comparison; every request but `compare` and `warp` speaks of the comparison made last.
  */
 import type {
   ClipFeature,
@@ -30,15 +30,15 @@ export interface FeatureNews {
   readonly gone: Int32Array;
 }
 
-/** What a comparison's worker does. Every method but `tell` and `cancel` ends with an outcome. */
+/** What a comparison's worker does. Every method but `cancel` ends with an outcome. */
 export interface ComparisonApi {
   listen(listener: WorkerListener): void;
   cancel(job: JobId): void;
-  tell(news: FeatureNews): void;
   compare(
     job: JobId,
     settings: ComparisonSettings,
     clips: Int32Array,
+    news: FeatureNews,
   ): Promise<Outcome<Comparison>>;
   cut(job: JobId, clusters: number): Promise<Outcome<Cut>>;
   picture(job: JobId, region: MatrixRegion): Promise<Outcome<MatrixPicture>>;

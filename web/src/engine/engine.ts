@@ -2,22 +2,26 @@
  * The one door to the workers: clips by their id go in, promises of results come out. A clip lives in
  * one worker; what a worker lost is read again from the clip's Blob when it is next needed.
  */
+import type { PostureSequence } from './comparison-types';
 import { failureOf } from './failures';
 import { MotionMemory } from './motion-memory';
+import { Pool } from './pool';
 import {
   type Landed,
-  Pool,
+  type RemoteWorker,
   type Spawn,
   type Task,
   TaskFailed,
   WorkerLost,
   abortError,
-} from './pool';
-import type { ClipRef, UnpackedEntry } from './protocol';
+} from './pool-task';
+import type { ClipRef, JobId, Outcome, SurveyGroup, UnpackedEntry } from './protocol';
+import { failedSurveys, surveyGroups, surveysOf } from './survey-groups';
 import {
   type ClipId,
   type ClipResult,
   type ClipSource,
+  type ClipSurvey,
   type Decisions,
   type Engine,
   EngineError,
@@ -26,6 +30,7 @@ import {
   type MethodOptions,
   type MethodSettings,
   type SampleInfo,
+  type SurveyItem,
   type UnzipOptions,
   type WorkOptions,
 } from './types';
@@ -129,6 +134,20 @@ class WorkerEngine implements Engine {
     );
   }
 
+  postures(id: ClipId, performer: number, work: WorkOptions = {}): Promise<PostureSequence> {
+    return this.ask(id, work, (api, job, clip) => api.postures(job, clip, performer));
+  }
+
+  async survey(
+    items: readonly SurveyItem[],
+    onSurveyed: (some: readonly ClipSurvey[]) => void,
+    work: WorkOptions = {},
+  ): Promise<void> {
+    await Promise.all(
+      surveyGroups(items).map((group) => this.surveyGroup(group, onSurveyed, work)),
+    );
+  }
+
   exportText(id: ClipId, kind: ExportKind, work: WorkOptions = {}): Promise<string> {
     return this.ask(id, work, (api, job, clip) => api.exportText(job, clip, kind));
   }
@@ -188,6 +207,28 @@ class WorkerEngine implements Engine {
   destroy(): void {
     this.clips.clear();
     this.pool.destroy();
+  }
+
+  /** A worker that dies takes its group along: one by one shows which file it was. */
+  private async surveyGroup(
+    group: readonly SurveyItem[],
+    onSurveyed: (some: readonly ClipSurvey[]) => void,
+    { signal }: WorkOptions,
+  ): Promise<void> {
+    const run = (api: RemoteWorker, job: JobId): Promise<Outcome<SurveyGroup>> =>
+      api.survey(job, group);
+    const task: Task<SurveyGroup> = { clip: null, signal, run };
+    try {
+      const { value } = await this.again('', () => this.pool.enqueue(task));
+      onSurveyed(surveysOf(value));
+    } catch (error) {
+      if (!(error instanceof EngineError)) throw error;
+      if (error.failure.kind !== 'worker-died' || group.length === 1) {
+        onSurveyed(failedSurveys(group, error.failure));
+        return;
+      }
+      await Promise.all(group.map((one) => this.surveyGroup([one], onSurveyed, { signal })));
+    }
   }
 
   /** A clip that could not be opened is forgotten, unless an analysis with other settings follows. */

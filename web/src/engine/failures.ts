@@ -1,7 +1,7 @@
 /**
  * Failures that are about the engine, an archive or the disk, not about a place in a file.
  */
-import type { Failure } from './types';
+import type { Failure, PerformerResult } from './types';
 
 /** Every kind of them; those of reading and analysis are named in the core. */
 export const ENGINE_FAILURES = [
@@ -14,9 +14,11 @@ export const ENGINE_FAILURES = [
   'engine-unavailable',
   'no-such-sample',
   'not-an-archive',
+  'not-human-to-compare',
   'not-open',
   'not-readable',
   'out-of-memory',
+  'too-short-to-compare',
   'worker-died',
 ] as const;
 
@@ -25,4 +27,10 @@ export type EngineFailureKind = (typeof ENGINE_FAILURES)[number];
 /** A failure of one of these kinds. */
 export function failureOf(kind: EngineFailureKind, ...details: string[]): Failure {
   return { kind, line: null, column: null, details };
+}
+
+/** Why none of these performers can be compared. */
+export function incomparableOf(performers: readonly Pick<PerformerResult, 'body'>[]): Failure {
+  const human = performers.some(({ body }) => body.kind === 'human');
+  return failureOf(human ? 'too-short-to-compare' : 'not-human-to-compare');
 }

@@ -1,12 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import {
-  Pool,
-  type PoolWorker,
-  type RemoteWorker,
-  type Spawn,
-  type Task,
-  WorkerLost,
-} from './pool';
+import { Pool } from './pool';
+import { type PoolWorker, type RemoteWorker, type Spawn, type Task, WorkerLost } from './pool-task';
 import type { JobId, Outcome, WorkerListener } from './protocol';
 
 const MEMORY = { wasmBytes: 1000, motionBytes: 0 };

@@ -1,9 +1,11 @@
 /**
  * What the engine and its workers say to each other: plain data, typed arrays and Blobs.
  */
+import type { PostureSequence } from './comparison-types';
 import type {
   ClipId,
   ClipResult,
+  ClipSurvey,
   Decisions,
   ExportKind,
   Failure,
@@ -11,6 +13,7 @@ import type {
   MethodSettings,
   Progress,
   SampleInfo,
+  SurveyItem,
 } from './types';
 
 /** One piece of work; the engine counts them up. */
@@ -49,6 +52,16 @@ export interface UnpackedEntry {
   readonly blob: Blob;
 }
 
+/** The surveys of some clips; the numbers of all features in one array. */
+export interface SurveyGroup {
+  readonly surveys: readonly (Omit<ClipSurvey, 'feature'> & {
+    /** Of the performer to whom the feature belongs; null without one. */
+    readonly performer: number | null;
+  })[];
+  /** Packed, one for each survey that has one. */
+  readonly features: Float64Array;
+}
+
 /** What a worker says in the middle of a job. */
 export interface WorkerListener {
   progress(job: JobId, progress: Progress): void;
@@ -75,6 +88,9 @@ export interface WorkerApi {
     firstFrame: number,
     count: number,
   ): Promise<Outcome<Float32Array>>;
+  postures(job: JobId, clip: ClipRef, performer: number): Promise<Outcome<PostureSequence>>;
+  /** Reads clips one after another for their features; nothing of them stays. */
+  survey(job: JobId, clips: readonly SurveyItem[]): Promise<Outcome<SurveyGroup>>;
   exportText(job: JobId, clip: ClipRef, kind: ExportKind): Promise<Outcome<string>>;
   unzip(job: JobId, archive: Blob): Promise<Outcome<null>>;
   methodDefaults(job: JobId): Promise<Outcome<MethodSettings>>;

@@ -10,6 +10,7 @@ import init, {
   methodDefaults,
   sampleCatalogue,
 } from './generated/motion_wasm';
+import type { ClipFeature } from './comparison-types';
 import type {
   ClipResult,
   Decisions,
@@ -22,6 +23,14 @@ import type {
   PerformerResult,
   SampleInfo,
 } from './types';
+
+/** What is known of a clip before its keyposes. */
+export interface Survey extends Pick<ClipResult, 'frames' | 'frameTimeS'> {
+  readonly performers: readonly (Pick<
+    PerformerResult,
+    'body' | 'leadingRestFrames' | 'comparable'
+  > & { readonly analysedFrames: number })[];
+}
 
 /** A failure that the core has found in a file or an option. */
 export class CoreFailure extends Error {
@@ -64,7 +73,12 @@ export interface CoreClip {
   beginAnalysis(decisions: Decisions, options: MethodOptions): void;
   /** A few milliseconds of work. Returns the part done; 1 when the result is there. */
   step(): number;
-  result(): ClipResult;
+  result(): Omit<ClipResult, 'thumbnailPose'>;
+  /** The same as `step` towards the survey and the postures alone; `step` goes on from there. */
+  stepSurvey(): number;
+  survey(): Survey;
+  /** Of analysed frames, counted without the leading rest: frames × 16 joints × 3. */
+  postures(performer: number, first: number, count: number): Float64Array<ArrayBuffer>;
   poses(performer: number, frames: Int32Array): Float32Array<ArrayBuffer>;
   poseRange(performer: number, firstFrame: number, count: number): Float32Array<ArrayBuffer>;
   /** The values of a run of rows as the file has them: rows × channels. */
@@ -126,7 +140,26 @@ class WasmClip implements CoreClip {
     return refusing(() => this.handle.step());
   }
 
-  result(): ClipResult {
+  stepSurvey(): number {
+    return refusing(() => this.handle.stepSurvey());
+  }
+
+  survey(): Survey {
+    const { handle } = this;
+    const survey = JSON.parse(refusing(() => handle.survey())) as SurveySummary;
+    const performers = survey.performers.map((one, index) => ({
+      ...one,
+      comparable: comparableOf(handle, index),
+    }));
+    return { ...survey, performers };
+  }
+
+  postures(performer: number, first: number, count: number): Float64Array<ArrayBuffer> {
+    const postures = refusing(() => this.handle.postures(performer, first, count));
+    return postures as Float64Array<ArrayBuffer>;
+  }
+
+  result(): Omit<ClipResult, 'thumbnailPose'> {
     const { handle } = this;
     const summary = JSON.parse(refusing(() => handle.summary())) as ClipSummary;
     const performers = summary.performers.map((one, index) => performerOf(handle, one, index));
@@ -168,17 +201,21 @@ class WasmClip implements CoreClip {
 }
 
 /** What the core says of a clip in words and single numbers; the series come as arrays of their own. */
-interface ClipSummary extends Omit<ClipResult, 'performers'> {
+interface ClipSummary extends Omit<ClipResult, 'performers' | 'thumbnailPose'> {
   readonly notes: readonly Note[];
   readonly performers: readonly PerformerSummary[];
 }
 
 interface PerformerSummary extends Omit<
   PerformerResult,
-  'skeleton' | 'feature' | 'keyposes' | 'trailJoints'
+  'skeleton' | 'feature' | 'comparable' | 'keyposes' | 'trailJoints'
 > {
   readonly labels: readonly string[];
   readonly keyposes: KeyposeSummary | null;
+}
+
+interface SurveySummary extends Omit<Survey, 'performers'> {
+  readonly performers: readonly Omit<Survey['performers'][number], 'comparable'>[];
 }
 
 interface KeyposeSummary extends Pick<
@@ -202,7 +239,14 @@ function performerOf(
     keyposes: keyposes === null ? null : keyposesOf(handle, keyposes, index),
     trailJoints: handle.trailJoints(index),
     feature: feature.length === 0 ? null : feature,
+    comparable: comparableOf(handle, index),
   };
+}
+
+function comparableOf(handle: ClipHandle, performer: number): ClipFeature | null {
+  void handle;
+  void performer;
+  return null;
 }
 
 function keyposesOf(handle: ClipHandle, summary: KeyposeSummary, index: number): KeyposeResult {

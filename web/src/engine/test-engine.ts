@@ -5,7 +5,7 @@
 import { readFile } from 'node:fs/promises';
 import { expose, proxy, wrap } from 'comlink';
 import { ClipWorker } from './clip-worker';
-import type { PoolWorker, RemoteWorker, Spawn } from './pool';
+import type { PoolWorker, RemoteWorker, Spawn } from './pool-task';
 import type { WorkerApi } from './protocol';
 import { type Core, loadCore } from './raw';
 

@@ -23,8 +23,12 @@ export function letMessagesIn(): Promise<void> {
   });
 }
 
+/** Work goes on for so long between two looks at messages: steps stay below 50 ms. */
+const TURN_MS = 20;
+
 /** The jobs under way and which of them are to end. */
 export class Jobs {
+  private turnedMs = 0;
   private readonly underWay = new Map<JobId, { cancelled: boolean }>();
 
   begin(job: JobId): void {
@@ -40,9 +44,15 @@ export class Jobs {
     if (state !== undefined) state.cancelled = true;
   }
 
+  /** Whether it is time to look at messages. */
+  isTurnOver(): boolean {
+    return performance.now() - this.turnedMs >= TURN_MS;
+  }
+
   /** Lets messages in, then throws if the job was cancelled by one. */
   async turn(job: JobId): Promise<void> {
     await letMessagesIn();
+    this.turnedMs = performance.now();
     if (this.underWay.get(job)?.cancelled === true) throw new Cancelled();
   }
 }

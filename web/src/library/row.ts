@@ -1,6 +1,6 @@
 /** One clip of the library: its most unusual keypose, its name, what is known of it. */
 import { html, nothing, type TemplateResult } from 'lit-html';
-import { isAnalysed, isBusy, keyposeCount, lengthOf, type Clip } from '../app/clips';
+import { isAnalysed, keyposeCount, lengthOf, type Clip } from '../app/clips';
 import type { Words } from '../app/i18n/catalogue';
 import { notesOf, warningsAmong } from '../app/notes';
 import { iconButton } from '../common/buttons';
@@ -72,7 +72,7 @@ function facts({ words, clip }: RowProps): TemplateResult {
     return html`<span class="clip-facts" title=${reasonOf(words, clip)}
       >${reasonOf(words, clip)}</span
     >`;
-  if (isBusy(clip) || !clip.result) {
+  if (!clip.extent) {
     const stage = t(
       `library.${clip.status === 'waiting' || clip.status === 'reading' ? clip.status : 'analysing'}`,
     );
@@ -83,12 +83,12 @@ function facts({ words, clip }: RowProps): TemplateResult {
       aria-label=${stage}
     ></progress>`;
   }
-  if (clip.result.frames < 2) {
-    const what = t(clip.result.frames === 1 ? 'library.pose' : 'library.skeleton');
+  if (clip.extent.frames < 2) {
+    const what = t(clip.extent.frames === 1 ? 'library.pose' : 'library.skeleton');
     return html`<span class="clip-facts">${what}</span>`;
   }
-  const length = lengthText(words, lengthOf(clip.result));
-  const rate = t('unit.hertz', format.short(1 / clip.result.frameTimeS, 2));
+  const length = lengthText(words, lengthOf(clip.extent));
+  const rate = t('unit.hertz', format.short(1 / clip.extent.frameTimeS, 2));
   return html`<span class="clip-facts">${length} · ${rate}</span>`;
 }
 

@@ -26,27 +26,28 @@ function timeLeft({ t, format }: Words, seconds: number | null): string {
   return t('progress.left.minutes', format.integer(Math.ceil(seconds / 60)));
 }
 
+/** What is done to how many files, and to how many of them it is done. */
+function progressTexts({ t }: Words, loading: LoadingState): { what: string; done: string } {
+  const { stage, total, done, failed, searching } = loading;
+  if (stage === 'keyposes') {
+    return { what: t('progress.keyposes', total), done: t('progress.found', done) };
+  }
+  const problems = failed > 0 ? `, ${t('progress.problems', failed)}` : '';
+  const what = searching && total === 0 ? t('progress.searching') : t('progress.reading', total);
+  return { what, done: `${t('progress.read', done)}${problems}` };
+}
+
 function progressCard({ words, onCancel }: NoticeProps, loading: LoadingState): TemplateResult {
   const { t } = words;
-  const problems = loading.failed > 0 ? `, ${t('progress.problems', loading.failed)}` : '';
-  return html`<section
-    class="notice progress-card"
-    aria-label=${t('progress.reading', loading.total)}
-  >
+  const { what, done } = progressTexts(words, loading);
+  return html`<section class="notice progress-card" aria-label=${what}>
     <div class="notice-line">
-      <strong
-        >${loading.searching && loading.total === 0 ? t('progress.searching') : t('progress.reading', loading.total)}</strong
-      >
+      <strong>${what}</strong>
       ${iconButton({ name: 'x', label: t('progress.cancel'), small: true, onPress: onCancel })}
     </div>
-    <progress
-      class="bar"
-      max="1"
-      .value=${loading.fraction}
-      aria-label=${t('progress.reading', loading.total)}
-    ></progress>
+    <progress class="bar" max="1" .value=${loading.fraction} aria-label=${what}></progress>
     <div class="notice-line notice-facts">
-      <span>${t('progress.read', loading.done)}${problems}</span>
+      <span>${done}</span>
       <span
         >${loading.searching ? t('progress.searching') : timeLeft(words, loading.secondsLeft)}</span
       >

@@ -107,6 +107,8 @@ export const englishFailures: Readonly<Record<string, string>> = {
   'no-such-sample': 'There is no sample {0}.',
   'not-an-archive': 'This is not a .zip archive.',
   'not-open': 'The clip has been closed.',
+  'not-human-to-compare': 'This is not a human body; it is not compared with human motions.',
+  'too-short-to-compare': 'A single pose is no motion; comparing needs two frames or more.',
   'not-readable': 'The browser could not read the file. Drop it again.',
   'worker-died': 'The work on this file ended unexpectedly; the other files are not affected.',
   setting: '{0} is {1}; expected {2}.',

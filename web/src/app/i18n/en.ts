@@ -193,6 +193,8 @@ export const en = {
 
   'progress.reading': { one: 'Reading {0} file', other: 'Reading {0} files' },
   'progress.read': '{0} read',
+  'progress.keyposes': { one: 'Keyposes of {0} clip', other: 'Keyposes of {0} clips' },
+  'progress.found': '{0} done; all can be compared',
   'progress.problems': { one: '{0} problem', other: '{0} problems' },
   'progress.left.seconds': 'about {0} s',
   'progress.left.minutes': 'about {0} min',

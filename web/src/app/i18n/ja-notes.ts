@@ -94,6 +94,8 @@ export const japaneseFailures: Readonly<Record<string, string>> = {
   'no-such-sample': 'サンプル {0} はありません。',
   'not-an-archive': '.zip の書庫ではありません。',
   'not-open': 'クリップは閉じられています。',
+  'not-human-to-compare': '人体ではないため、人の動作とは比較しません。',
+  'too-short-to-compare': '1つの姿勢だけで動作がありません。比較には2フレーム以上が必要です。',
   'not-readable': 'ブラウザーがファイルを読めませんでした。もう一度ドロップしてください。',
   'worker-died': 'このファイルの処理が思いがけず終わりました。ほかのファイルに影響はありません。',
   setting: '{0} が {1} です。期待される値：{2}',

@@ -194,6 +194,8 @@ export const ja: Catalogue = {
 
   'progress.reading': '{0} 個のファイルを読み込み中',
   'progress.read': '{0} 個済み',
+  'progress.keyposes': '{0} 件のキーポーズを検出中',
+  'progress.found': '{0} 件済み（比較はすべて可能）',
   'progress.problems': '問題 {0} 件',
   'progress.left.seconds': '残り約 {0} 秒',
   'progress.left.minutes': '残り約 {0} 分',
