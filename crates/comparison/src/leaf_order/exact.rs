@@ -1,196 +1,188 @@
-//! A tree and distances in; the order of least cost out, by dynamic programming over the two end
-//! leaves of every cluster.
+//! A tree and distances of its leaves in; the order of least cost out, by dynamic programming over
+//! the two end leaves of every cluster.
 //!
 //! Leaves stand at the places of the tree drawn as it is, so clusters are ranges, and the cheapest
 //! way through two of them is two products of matrices in which + stands for · and min for +.
 
 use super::layout::Layout;
+use super::least_sums::{Part, least_sums};
+use super::square::Square;
 use crate::dendrogram::Dendrogram;
 use std::ops::Range;
 
-/// The order of least cost; the first found of equal ones.
-pub(super) fn order(
-    dendrogram: &Dendrogram,
-    distance: &impl Fn(usize, usize) -> f64,
-) -> Vec<usize> {
-    let Some(root) = dendrogram.root() else {
-        return Vec::new();
-    };
-    let mut table = Table::of(dendrogram, distance);
-    for index in 0..dendrogram.merges.len() {
-        table.fill(dendrogram.items + index);
-    }
-    let places = table.places_in_order(root);
-    places
-        .iter()
-        .map(|&place| table.layout.items[place])
-        .collect()
-}
-
-/// A square matrix over places.
-struct Square {
-    side: usize,
-    values: Vec<f64>,
-}
-
-impl Square {
-    fn of(side: usize) -> Self {
-        Self {
-            side,
-            values: vec![0.0; side * side],
-        }
-    }
-
-    fn row(&self, row: usize, columns: &Range<usize>) -> &[f64] {
-        &self.values[row * self.side..][columns.clone()]
-    }
-
-    fn at(&self, row: usize, column: usize) -> f64 {
-        self.values[row * self.side + column]
-    }
-
-    fn set_pair(&mut self, row: usize, column: usize, value: f64) {
-        self.values[row * self.side + column] = value;
-        self.values[column * self.side + row] = value;
-    }
-}
-
-struct Table<'a> {
-    dendrogram: &'a Dendrogram,
+/// The cheapest ways through the clusters of a tree.
+pub(super) struct Table {
+    tree: Dendrogram,
     layout: Layout,
-    distances: Square,
+    /// Distances between the leaves at two places.
+    pub(super) distances: Square,
     /// The least cost of the smallest cluster that holds both places, with them at its two ends.
     costs: Square,
 }
 
-impl<'a> Table<'a> {
-    fn of(dendrogram: &'a Dendrogram, distance: &impl Fn(usize, usize) -> f64) -> Self {
-        let layout = Layout::of(dendrogram);
-        let side = dendrogram.items;
-        let mut distances = Square::of(side);
-        for row in 0..side {
-            for column in row + 1..side {
-                let value = distance(layout.items[row], layout.items[column]);
-                distances.set_pair(row, column, value);
-            }
-        }
+impl Table {
+    /// Without distances.
+    pub(super) fn of(tree: Dendrogram) -> Self {
+        let side = tree.items;
         Self {
-            dendrogram,
-            layout,
-            distances,
+            layout: Layout::of(&tree),
+            tree,
+            distances: Square::of(side),
             costs: Square::of(side),
         }
     }
 
-    /// The costs of a cluster whose children's are known.
-    fn fill(&mut self, cluster: usize) {
-        let Some((left, right)) = self.dendrogram.children(cluster) else {
-            return;
-        };
-        let columns = self.layout.places[right].clone();
-        let mut to_inner = vec![0.0; columns.len()];
-        let mut to_outer = vec![0.0; columns.len()];
-        for outer in self.layout.places[left].clone() {
-            to_inner.fill(f64::INFINITY);
-            for inner in self.opposite(left, outer) {
-                let cost = self.costs.at(outer, inner);
-                lower(&mut to_inner, cost, self.distances.row(inner, &columns));
+    pub(super) fn leaves(&self) -> usize {
+        self.tree.items
+    }
+
+    pub(super) fn merges(&self) -> usize {
+        self.tree.merges.len()
+    }
+
+    /// The leaf at a place.
+    pub(super) fn leaf(&self, place: usize) -> usize {
+        self.layout.items[place]
+    }
+
+    /// Sums looked at to fill in a merge, about.
+    pub(super) fn sums(&self, merge: usize) -> usize {
+        let merge = self.tree.merges[merge];
+        let (left, right) = (self.size(merge.left), self.size(merge.right));
+        left * right * (left + right) / 2
+    }
+
+    fn size(&self, cluster: usize) -> usize {
+        self.layout.places[cluster].len()
+    }
+
+    /// The costs of a merge; those of the merges below come first.
+    pub(super) fn fill(&mut self, merge: usize) {
+        let merge = self.tree.merges[merge];
+        let columns = self.layout.places[merge.right].clone();
+        let width = columns.len();
+        for (outer, inner) in self.ends(merge.left) {
+            let mut to_near = vec![0.0; outer.len() * width];
+            let mut to_far = to_near.clone();
+            let within = self.costs.part(&outer, &inner);
+            least_sums(
+                within,
+                self.distances.part(&inner, &columns),
+                &mut to_near,
+                width,
+            );
+            for (near, far) in self.ends(merge.right) {
+                let across = Part {
+                    values: &to_near[near.start - columns.start..],
+                    stride: width,
+                    rows: outer.len(),
+                    columns: near.len(),
+                };
+                let into = &mut to_far[far.start - columns.start..];
+                least_sums(across, self.costs.part(&near, &far), into, width);
             }
-            to_outer.fill(f64::INFINITY);
-            for inner in columns.clone() {
-                let far = self.opposite(right, inner);
-                let range = far.start - columns.start..far.end - columns.start;
-                let cost = to_inner[inner - columns.start];
-                lower(&mut to_outer[range], cost, self.costs.row(inner, &far));
-            }
-            for (place, &cost) in columns.clone().zip(&to_outer) {
-                self.costs.set_pair(outer, place, cost);
+            for (row, costs) in outer.zip(to_far.chunks_exact(width)) {
+                for (column, &cost) in columns.clone().zip(costs) {
+                    self.costs.set_pair(row, column, cost);
+                }
             }
         }
     }
 
-    /// The places that can be the other end of `cluster` when `end` is one: those of the child it does
-    /// not lie in; itself in a cluster of one.
-    fn opposite(&self, cluster: usize, end: usize) -> Range<usize> {
-        let Some((left, right)) = self.dendrogram.children(cluster) else {
-            return end..end + 1;
-        };
+    /// Where the two ends of a cluster can be: one in each of its children; for a leaf both are it.
+    fn ends(&self, cluster: usize) -> Vec<(Range<usize>, Range<usize>)> {
         let places = &self.layout.places;
-        let other = if places[left].contains(&end) {
-            right
-        } else {
-            left
-        };
-        places[other].clone()
+        match self.tree.children(cluster) {
+            None => vec![(places[cluster].clone(), places[cluster].clone())],
+            Some((left, right)) => {
+                let (left, right) = (places[left].clone(), places[right].clone());
+                vec![(left.clone(), right.clone()), (right, left)]
+            }
+        }
     }
 
-    /// The places of the root's cheapest order.
-    fn places_in_order(&self, root: usize) -> Vec<usize> {
-        let mut order = Vec::with_capacity(self.dendrogram.items);
-        let (first, last) = self.best_ends(root);
-        let mut waiting = vec![(root, first, last)];
-        while let Some((cluster, first, last)) = waiting.pop() {
-            match self.dendrogram.children(cluster) {
-                None => order.push(first),
-                Some((left, right)) => {
-                    let starts_left = self.layout.places[left].contains(&first);
-                    let (one, other) = if starts_left {
-                        (left, right)
-                    } else {
-                        (right, left)
-                    };
-                    let (inner, next) = self.best_middle(one, other, first, last);
-                    waiting.push((other, next, last));
-                    waiting.push((one, first, inner));
+    /// The leaves in the order of least cost; the first found of equal ones.
+    pub(super) fn order(&self) -> Vec<usize> {
+        let mut order = Vec::with_capacity(self.leaves());
+        let mut waiting = Vec::from_iter(self.tree.root().map(|root| self.best_way(root)));
+        while let Some(way) = waiting.pop() {
+            match self.tree.children(way.cluster) {
+                None => order.push(self.leaf(way.first)),
+                Some(children) => {
+                    let [before, after] = self.split(&way, children);
+                    waiting.extend([after, before]);
                 }
             }
         }
         order
     }
 
-    fn best_ends(&self, root: usize) -> (usize, usize) {
-        let Some((left, right)) = self.dendrogram.children(root) else {
-            return (0, 0);
-        };
-        let places = &self.layout.places;
-        self.least(&places[left], &places[right], |first, last| {
-            self.costs.at(first, last)
-        })
-    }
-
-    /// Where cluster `one`, begun at `first`, ends and `other`, ended at `last`, begins.
-    fn best_middle(&self, one: usize, other: usize, first: usize, last: usize) -> (usize, usize) {
-        let inner = self.opposite(one, first);
-        let next = self.opposite(other, last);
-        self.least(&inner, &next, |inner, next| {
-            self.costs.at(first, inner) + self.distances.at(inner, next) + self.costs.at(next, last)
-        })
-    }
-
-    fn least(
-        &self,
-        rows: &Range<usize>,
-        columns: &Range<usize>,
-        cost: impl Fn(usize, usize) -> f64,
-    ) -> (usize, usize) {
-        let mut best = (rows.start, columns.start);
-        let mut least = f64::INFINITY;
-        for row in rows.clone() {
-            for column in columns.clone() {
-                let value = cost(row, column);
-                if value < least {
-                    (best, least) = ((row, column), value);
-                }
-            }
+    fn best_way(&self, root: usize) -> Way {
+        let (first, last) = self.tree.children(root).map_or((0, 0), |(left, right)| {
+            let places = &self.layout.places;
+            least(&places[left], &places[right], |first, last| {
+                self.costs.at(first, last)
+            })
+        });
+        Way {
+            cluster: root,
+            first,
+            last,
         }
-        best
+    }
+
+    /// The ways through the two children of which a way consists.
+    fn split(&self, way: &Way, (left, right): (usize, usize)) -> [Way; 2] {
+        let starts_left = self.layout.places[left].contains(&way.first);
+        let (one, other) = if starts_left {
+            (left, right)
+        } else {
+            (right, left)
+        };
+        let ends = self.opposite(one, way.first);
+        let starts = self.opposite(other, way.last);
+        let (end, start) = least(&ends, &starts, |end, start| {
+            let step = self.costs.at(way.first, end) + self.distances.at(end, start);
+            step + self.costs.at(start, way.last)
+        });
+        let way_of = |cluster, first, last| Way {
+            cluster,
+            first,
+            last,
+        };
+        [way_of(one, way.first, end), way_of(other, start, way.last)]
+    }
+
+    /// Where the other end of a cluster can be.
+    fn opposite(&self, cluster: usize, end: usize) -> Range<usize> {
+        let mut ends = self.ends(cluster).into_iter();
+        let found = ends.find(|(one, _)| one.contains(&end));
+        found.map_or(end..end + 1, |(_, other)| other)
     }
 }
 
-/// Lowers every `into` to `cost` + its part of `row` where that is less.
-fn lower(into: &mut [f64], cost: f64, row: &[f64]) {
-    for (value, &part) in into.iter_mut().zip(row) {
-        let sum = cost + part;
-        *value = if sum < *value { sum } else { *value };
+/// A way through a cluster from one place to another.
+struct Way {
+    cluster: usize,
+    first: usize,
+    last: usize,
+}
+
+/// The pair of least cost; the first of equal ones.
+fn least(
+    rows: &Range<usize>,
+    columns: &Range<usize>,
+    cost: impl Fn(usize, usize) -> f64,
+) -> (usize, usize) {
+    let mut best = (rows.start, columns.start);
+    let mut least = f64::INFINITY;
+    for row in rows.clone() {
+        for column in columns.clone() {
+            let value = cost(row, column);
+            if value < least {
+                (best, least) = ((row, column), value);
+            }
+        }
     }
+    best
 }
