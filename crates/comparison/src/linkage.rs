@@ -7,6 +7,8 @@
 mod chain;
 mod on_centroids;
 mod on_matrix;
+#[cfg(test)]
+mod tests;
 
 use crate::condensed::Condensed;
 use crate::dendrogram::Dendrogram;

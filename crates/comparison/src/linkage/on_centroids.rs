@@ -5,6 +5,7 @@
 
 mod block;
 mod boxes;
+mod components;
 mod near_blocks;
 
 use super::chain::{Clusters, Near};
@@ -35,10 +36,12 @@ impl OnCentroids {
             alive: vectors.len(),
             laid_out: 0,
         };
+        let order = components::widest_first(vectors);
+        let ordered = |vector: &Vector| order.map(|k| vector[k]);
         let members = vectors.iter().enumerate();
         clusters.lay_out(
             members
-                .map(|(slot, &centroid)| Member::alone(slot, centroid))
+                .map(|(slot, vector)| Member::alone(slot, ordered(vector)))
                 .collect(),
         );
         clusters
@@ -94,10 +97,11 @@ impl Clusters for OnCentroids {
         let own = self.places[slot] / LANES;
         self.blocks[own].search(&from, &mut best);
         for group in 0..self.boxes.groups() {
-            let bounds = self.boxes.bounds(group, &from, best.squared_distance);
-            for (lane, &bound) in bounds.iter().enumerate() {
-                let block = group * 4 + lane;
-                if bound <= best.squared_distance && block != own {
+            let mut near = self.boxes.near(group, &from, best.squared_distance);
+            while near != 0 {
+                let block = group * 4 + near.trailing_zeros() as usize;
+                near &= near - 1;
+                if block != own && block < self.blocks.len() {
                     self.blocks[block].search(&from, &mut best);
                 }
             }

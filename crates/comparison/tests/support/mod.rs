@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "not every test file uses all of this module")]
 
+pub mod plain;
+
 use std::fs;
 use std::path::PathBuf;
 

@@ -1,5 +1,6 @@
 //! Clusters near each other in; the nearest of them to a given one out.
 
+use super::components::PARTS;
 use crate::feature::{FEATURE_LENGTH, Vector};
 use wide::f64x4;
 
@@ -8,6 +9,9 @@ pub(super) const LANES: usize = 32;
 
 /// Clusters looked at in one instruction.
 const WIDTH: usize = 4;
+
+/// More than rounding can add to a distance.
+const CAUTION: f64 = 1.0 + 1e-12;
 
 /// A cluster.
 #[derive(Clone, Copy, Debug)]
@@ -143,8 +147,11 @@ impl Block {
     /// Offers every other cluster of the block that is as near as the best so far.
     pub(super) fn search(&self, from: &Member, best: &mut Best) {
         for vector in 0..LANES / WIDTH {
-            let distances = self.squared_distances(vector, from).to_array();
-            for (part, &distance) in distances.iter().enumerate() {
+            let Some(distances) = self.squared_distances(vector, from, best.squared_distance)
+            else {
+                continue;
+            };
+            for (part, &distance) in distances.to_array().iter().enumerate() {
                 let slot = self.slots[vector * WIDTH + part];
                 if distance <= best.squared_distance && slot != from.slot {
                     best.offer(slot, distance);
@@ -153,15 +160,23 @@ impl Block {
         }
     }
 
-    /// The operations of [`Member::squared_distance`], for the same bits.
-    fn squared_distances(&self, vector: usize, from: &Member) -> f64x4 {
+    /// The operations of [`Member::squared_distance`], for the same bits; none where all are above
+    /// `enough`.
+    fn squared_distances(&self, vector: usize, from: &Member, enough: f64) -> Option<f64x4> {
+        let items = self.items[vector];
+        let (twice_both, both) = (items * (2.0 * from.items), items + from.items);
+        let limit = both * (enough * CAUTION);
         let mut sum = f64x4::splat(0.0);
-        for (k, &coordinate) in from.centroid.iter().enumerate() {
-            let apart = f64x4::splat(coordinate) - self.centroids[k][vector];
-            sum += apart * apart;
+        for parts in PARTS {
+            for k in parts {
+                let apart = f64x4::splat(from.centroid[k]) - self.centroids[k][vector];
+                sum += apart * apart;
+            }
+            if (twice_both * sum).simd_gt(limit).all() {
+                return None;
+            }
         }
-        let (own, items) = (f64x4::splat(from.items), self.items[vector]);
-        f64x4::splat(2.0 * from.items) * items / (own + items) * sum
+        Some(twice_both / both * sum)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Blocks of clusters in; a bound out, below which none of a block's distances from a cluster lies.
 
 use super::block::{Block, Member};
+use super::components::PARTS;
 use crate::feature::FEATURE_LENGTH;
 use wide::f64x4;
 
@@ -62,19 +63,31 @@ impl Boxes {
         group.fewest[lane] = if fewest.is_finite() { fewest } else { 1.0 };
     }
 
-    /// Bounds of the squared distances from a cluster to those of a group's blocks.
-    pub(super) fn bounds(&self, group: usize, from: &Member, _enough: f64) -> [f64; WIDTH] {
+    /// Blocks of a group that may hold a cluster as near as `enough`, a squared distance; bit by bit.
+    pub(super) fn near(&self, group: usize, from: &Member, enough: f64) -> u32 {
         let group = &self.groups[group];
-        let mut sum = f64x4::splat(0.0);
-        for (k, &coordinate) in from.centroid.iter().enumerate() {
-            let place = f64x4::splat(coordinate);
-            let below = f64x4::from(group.lows[k]) - place;
-            let above = place - f64x4::from(group.highs[k]);
-            let gap = below.fast_max(above).fast_max(f64x4::splat(0.0));
-            sum += gap * gap;
-        }
         let (own, items) = (f64x4::splat(from.items), f64x4::from(group.fewest));
         let weight = f64x4::splat(2.0 * from.items * CAUTION) * items / (own + items);
-        (weight * sum).to_array()
+        let mut bound = f64x4::splat(0.0);
+        for parts in PARTS {
+            for k in parts {
+                let gap = group.gap(k, from.centroid[k]);
+                bound += gap * gap;
+            }
+            if (weight * bound).simd_gt(enough).all() {
+                return 0;
+            }
+        }
+        (weight * bound).simd_le(enough).to_bitmask()
+    }
+}
+
+impl Group {
+    /// How far a coordinate is outside the boxes.
+    fn gap(&self, k: usize, coordinate: f64) -> f64x4 {
+        let place = f64x4::splat(coordinate);
+        let below = f64x4::from(self.lows[k]) - place;
+        let above = place - f64x4::from(self.highs[k]);
+        below.fast_max(above).fast_max(f64x4::splat(0.0))
     }
 }
