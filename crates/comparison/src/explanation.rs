@@ -5,13 +5,7 @@
 //! `Σ_k (F_a,k − F_b,k)(m_a,k(j) − m_b,k(j)) / d²`. Both sum up to 1; a joint's may be negative.
 
 use crate::distance::{Distance, Measured, mirror, mirror_by_joint};
-use crate::feature::{ClipFeature, FEATURE_LENGTH, JOINTS, Vector};
-
-/// Parts of a body: left arm, right arm, left leg, right leg, head.
-pub const PARTS: usize = 5;
-
-/// The part of each joint.
-pub const PART_OF_JOINT: [usize; JOINTS] = [0, 0, 0, 0, 2, 2, 2, 1, 1, 1, 1, 3, 3, 3, 4, 4];
+use crate::feature::{ClipFeature, FEATURE_LENGTH, JOINTS, PART_OF_JOINT, PARTS, Vector};
 
 /// Components of one posture's covariance: σ_xx, σ_yy, σ_zz, σ_xy, σ_yz, σ_zx.
 const COMPONENTS: usize = FEATURE_LENGTH / 2;

@@ -6,6 +6,12 @@ pub const FEATURE_LENGTH: usize = 12;
 /// The principal joints, in the order of the pelvis coordinates.
 pub const JOINTS: usize = 16;
 
+/// Parts of a body: left arm, right arm, left leg, right leg, head.
+pub const PARTS: usize = 5;
+
+/// The part of each joint.
+pub const PART_OF_JOINT: [usize; JOINTS] = [0, 0, 0, 0, 2, 2, 2, 1, 1, 1, 1, 3, 3, 3, 4, 4];
+
 /// A posture-variation feature in squared body heights.
 pub type Vector = [f64; FEATURE_LENGTH];
 

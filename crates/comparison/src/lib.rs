@@ -24,6 +24,7 @@ pub mod leaf_order;
 pub mod linkage;
 pub mod map;
 pub mod neighbours;
+pub mod warping;
 
 #[cfg(test)]
 mod test_random;
