@@ -12,6 +12,10 @@ export interface ComparePalette {
   readonly kpText: string;
   readonly kpSoft: string;
   readonly onKp: string;
+  readonly left: string;
+  readonly right: string;
+  readonly trunk: string;
+  readonly shade: string;
   /** Ink as `r g b`. */
   readonly inkParts: string;
   readonly labels: readonly string[];
@@ -36,6 +40,10 @@ export function comparePalette(element: Element): ComparePalette {
     kpText: token('kp-text'),
     kpSoft: token('kp-soft'),
     onKp: token('on-kp'),
+    left: token('left'),
+    right: token('right'),
+    trunk: token('trunk'),
+    shade: token('shade'),
     inkParts: token('ink'),
     labels: range(6).map((k) => token(`label-${k}`)),
     distances: range(9).map((k) => token(`distance-${k}`)),

@@ -1,9 +1,9 @@
 /** Places on the screen and their labels in; hulls, the pair's line and the discs on a canvas out. */
-import { labelStyle } from '../app/labels';
 import { prepareCanvas } from '../timeline/canvas';
-import { labelColour, type ComparePalette } from './compare-palette';
+import type { ComparePalette } from './compare-palette';
 import { convexHull, type Point } from './hull';
-import { shapePath, type LabelShape } from './label-shape';
+import { shapePath } from './label-shape';
+import { markLook } from './mark-tag';
 import type { Scene } from './scene';
 import type { ItemPair } from './shared';
 
@@ -34,17 +34,6 @@ export function membersOf({ cut, count }: Scene): readonly (readonly number[])[]
 export function hullPathOf(corners: readonly Point[]): string {
   const [first, ...others] = corners.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`);
   return others.length > 0 ? `M${first}L${others.join('L')}z` : `M${first}h.01`;
-}
-
-export interface MarkLook {
-  readonly shape: LabelShape;
-  readonly colour: string;
-  readonly open: boolean;
-}
-
-export function markLook(palette: ComparePalette, label: number): MarkLook {
-  const { shape, open } = label < 0 ? { shape: 'circle' as const, open: false } : labelStyle(label);
-  return { shape, open, colour: labelColour(palette, label) };
 }
 
 /** Discs drawn once by label: thousands are then copied. */
@@ -136,7 +125,7 @@ function drawHulls(
 ): void {
   context.lineJoin = context.lineCap = 'round';
   // Fill and outline together, so that they do not add up where they overlap.
-  context.fillStyle = context.strokeStyle = mixed(palette);
+  context.fillStyle = context.strokeStyle = hullColour(palette);
   context.lineWidth = hullWidthPx;
   for (const members of membersOf(scene)) {
     if (members.length === 0) continue;
@@ -147,7 +136,7 @@ function drawHulls(
 }
 
 /** Ink at 4 % on the panel, opaque. */
-export function mixed({ panel, inkParts }: ComparePalette): string {
+export function hullColour({ panel, inkParts }: ComparePalette): string {
   const ink = inkParts.split(' ').map(Number);
   const ground = [1, 3, 5].map((at) => Number.parseInt(panel.slice(at, at + 2), 16));
   return `rgb(${ground.map((byte, k) => Math.round(byte * 0.96 + ink[k] * 0.04)).join(' ')})`;

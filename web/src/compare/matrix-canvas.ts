@@ -18,11 +18,11 @@ export interface MatrixDrawing {
   readonly colours: Uint32Array;
 }
 
-const tickPx = { top: 9, height: 4 };
-const numberBaselinePx = 14;
+export const tickPx = { top: 9, height: 4 };
+export const numberBaselinePx = 14;
 /** Below this cell size the diagonal has no marks and ticks no gaps. */
 const leastMarkedPx = 6;
-const leastNumberedPx = 14;
+export const leastNumberedPx = 14;
 
 /** Paints cells pixel by pixel of the device: no cell is blurred, however small. */
 export class MatrixCanvas {

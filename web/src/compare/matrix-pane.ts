@@ -4,6 +4,7 @@ import { follow } from '../common/mount';
 import { watchPixelRatio } from '../timeline/canvas';
 import { ColourScale } from './colour-scale';
 import { CutSlider } from './cut-slider';
+import { longestNamePx } from './name-width';
 import { MatrixCanvas } from './matrix-canvas';
 import {
   matrixGeometry,
@@ -21,10 +22,6 @@ import { PairTip } from './pair-tip';
 import type { Scene } from './scene';
 import type { ItemPair, Shared } from './shared';
 import { drawTree } from './tree-canvas';
-
-const namePaddingPx = 26;
-/** Longer sets are measured by a sample. */
-const mostMeasured = 400;
 
 export class MatrixPane {
   readonly zoom = signal<Zoom>(noZoom);
@@ -72,7 +69,9 @@ export class MatrixPane {
 
   private followGeometry(): ReadonlySignal<MatrixGeometry | null> {
     const { scene } = this.shared;
-    const longest = computed(() => longestName(scene.value, this.place));
+    const longest = computed(() =>
+      longestNamePx(scene.value?.names ?? [], getComputedStyle(this.place).fontFamily),
+    );
     return computed(() => {
       const { width, height } = this.size.value;
       if (!scene.value || width === 0) return null;
@@ -160,13 +159,4 @@ export class MatrixPane {
 function cellOf({ positionOfItem }: Scene, pair: ItemPair | null): MarkedCell | null {
   if (pair === null || pair.a === null || pair.b === null) return null;
   return { row: positionOfItem[pair.a], column: positionOfItem[pair.b] };
-}
-
-function longestName(scene: Scene | null, place: Element): number {
-  const context = document.createElement('canvas').getContext('2d');
-  if (!scene || !context) return 0;
-  context.font = `500 10.5px ${getComputedStyle(place).fontFamily}`;
-  const names = scene.names.slice(0, mostMeasured);
-  const widths = names.map((name) => context.measureText(name).width);
-  return widths.reduce((most, width) => Math.max(most, width), 0) + namePaddingPx;
 }

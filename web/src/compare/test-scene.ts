@@ -17,6 +17,8 @@ export const testComparison: Comparison = {
     orderIsOptimal: true,
   },
   automaticClusters: 2,
+  nearest: Int32Array.of(1, 0, 3, 2),
+  nearestDistances: Float64Array.of(1, 1, 2, 2),
   legendMaximum: 3,
   maximum: 4,
   map: Float64Array.of(0, 0, 1, 0, 4, 3, 5, 3),

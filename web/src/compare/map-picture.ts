@@ -1,0 +1,102 @@
+/** A scene and its figures in; the map as SVG text out. */
+import type { FlatFigure, FlatLimb } from '../figure/flat-figure';
+import { fitFigure, limbPath } from '../figure/draw-flat-figure';
+import { rgbOf } from './colour-scale';
+import type { ComparePalette } from './compare-palette';
+import { convexHull, type Point } from './hull';
+import { discRadius, hullColour, hullPathOf, membersOf } from './map-canvas';
+import { fitMap, middleMember, onScreen, placeFigures } from './map-layout';
+import { legendTags, markTag } from './mark-tag';
+import type { PictureParts } from './matrix-picture';
+import type { Scene } from './scene';
+import { svgSheet, tag, textTag } from './svg-text';
+
+const sheetPx = { width: 880, height: 680 };
+const room = { left: 70, top: 90, right: 810, bottom: 590 };
+const figureRoom = { left: 4, top: 40, right: 876, bottom: 640 };
+const figurePx = { width: 66, height: 72 };
+const mostFigures = 14;
+
+export function svgOfMap(
+  parts: PictureParts,
+  figureOf: (item: number) => FlatFigure | null,
+): string {
+  const { scene, palette, words } = parts;
+  const { map, spread } = scene.comparison;
+  const transform = fitMap(map, room);
+  const points = Array.from({ length: scene.count }, (_, item) =>
+    onScreen(transform, [map[2 * item], map[2 * item + 1]]),
+  );
+  const discs = points.map(([x, y], item) =>
+    markTag(palette, scene.labelOfItem[item], x, y, discRadius(scene.count), 2.4),
+  );
+  const title = `${words.t('map.title')}, ${words.t('map.spread', Math.round(100 * spread))}`;
+  const heading = { x: 24, y: 28, 'font-size': 13, fill: palette.text2 };
+  const content =
+    hullTags(scene, palette, points) +
+    discs.join('') +
+    figureTags(scene, palette, points, figureOf) +
+    textTag(title, heading) +
+    legendTags(palette, scene.labels, new Set(scene.labelOfItem), 24, sheetPx.height - 20);
+  return svgSheet({ ...sheetPx, ground: palette.panel, title }, content);
+}
+
+function hullTags(scene: Scene, palette: ComparePalette, points: readonly Point[]): string {
+  const colour = hullColour(palette);
+  const round = { 'stroke-linejoin': 'round', 'stroke-linecap': 'round', 'stroke-width': 24 };
+  const paths = membersOf(scene).map((members) => {
+    if (members.length === 0) return '';
+    const d = hullPathOf(convexHull(members.map((item) => points[item])));
+    return tag('path', { d, fill: colour, stroke: colour, ...round });
+  });
+  return paths.join('');
+}
+
+function figureTags(
+  scene: Scene,
+  palette: ComparePalette,
+  points: readonly Point[],
+  figureOf: (item: number) => FlatFigure | null,
+): string {
+  const items = membersOf(scene)
+    .filter((members) => members.length > 0)
+    .sort((a, b) => b.length - a.length)
+    .slice(0, mostFigures)
+    .map((members) => middleMember(members, scene.comparison.map));
+  const radius = discRadius(scene.count) + 1;
+  const places = placeFigures(
+    items.map((item) => points[item]),
+    { room: figureRoom, ...figurePx, points, radius, taken: [] },
+  );
+  const tags = items.map((item, k) => {
+    const [figure, place] = [figureOf(item), places[k]];
+    return figure && place ? figureTag(figure, place, palette) : '';
+  });
+  return tags.join('');
+}
+
+function figureTag(figure: FlatFigure, [x, y]: Point, palette: ComparePalette): string {
+  const { width, height } = figurePx;
+  const place = fitFigure(figure, width, height, 2);
+  const limbs = figure.limbs.map((limb) =>
+    tag('path', {
+      d: limbPath(limb, place),
+      fill: limbColour(limb, palette),
+      stroke: palette.panel,
+      'stroke-width': 1.5,
+      'paint-order': 'stroke',
+    }),
+  );
+  return tag('g', { transform: `translate(${x - width / 2} ${y - height / 2})` }, limbs.join(''));
+}
+
+const shadePart = 0.26;
+
+/** Mixed by hand: few programs that read SVG know `color-mix`. */
+function limbColour({ side, far }: FlatLimb, palette: ComparePalette): string {
+  const colour = palette[side];
+  if (!far || side === 'trunk') return colour;
+  const [own, shade] = [rgbOf(colour), rgbOf(palette.shade)];
+  const mixed = own.map((byte, k) => Math.round(byte * (1 - shadePart) + shade[k] * shadePart));
+  return `rgb(${mixed.join(', ')})`;
+}
