@@ -16,6 +16,9 @@ import { stageOverlay } from './stage-overlay';
 import { stageWords } from './stage-words';
 import { followMeeting, type Meeting } from './together';
 
+/** Both stages have one scale, with room for the keyposes around. */
+const ROOM = 1.2;
+
 type StageSignal = ReadonlySignal<Stage | null>;
 
 export function mountStages(
@@ -107,7 +110,16 @@ function mountOne(place: HTMLElement, index: 0 | 1, parts: Parts): void {
       },
     }),
   );
-  watchCorners(overlay, (corners) => stage.peek()?.update({ corners }));
+  keepCorners(overlay, stage);
+}
+
+/** Tags stay away from the caption. */
+function keepCorners(overlay: HTMLElement, stage: StageSignal): void {
+  const corners = signal<StageProps['corners']>({ left: 0, right: 0 });
+  watchCorners(overlay, (widths) => {
+    corners.value = widths;
+  });
+  follow(() => stage.value?.update({ corners: corners.value }));
 }
 
 function firstProps({ store, theme, language }: Context, settings: StageSettings): StageProps {
@@ -120,6 +132,7 @@ function firstProps({ store, theme, language }: Context, settings: StageSettings
     theme: theme.theme.peek(),
     view: store.view.peek(),
     follow: store.follow.peek(),
+    room: ROOM,
     ...settings,
     moreContrast: matchMedia('(prefers-contrast: more)').matches,
     corners: { left: 0, right: 0 },

@@ -8,7 +8,7 @@ export interface RibbonClip extends ClipLength {
 }
 
 /** Pixels between lines, as the pair's own time passes. */
-const APART = 11;
+const APART = 16;
 const MOST_LINES = 400;
 /** How far the curve leaves either side upright. */
 const BEND = 32;

@@ -3,7 +3,7 @@ import type { StagePerformer } from '../stage';
 import type { Placement } from '../figure/placement';
 import type { PairClip } from './pair-clips';
 import type { PoseSources } from './pose-sources';
-import { standAlone } from './stands';
+import { sideYaw, standAlone } from './stands';
 
 export interface StageScene {
   /** Places of the clips shown, among those of the page. */
@@ -42,10 +42,11 @@ export function sceneOf(stage: 0 | 1, wish: SceneWish, sources: PoseSources): St
 
 /** It faces as A does, and is seen from where A is. */
 function performerOf(
-  { performer: { sideYawRad, frontYawRad } }: PairClip,
+  a: PairClip,
   clip: PairClip,
   placement: Placement,
   sources: PoseSources,
 ): StagePerformer {
-  return { ...clip.performer, sideYawRad, frontYawRad, placement, source: sources.of(clip) };
+  const yaws = { sideYawRad: sideYaw(a), frontYawRad: a.performer.frontYawRad };
+  return { ...clip.performer, ...yaws, placement, source: sources.of(clip) };
 }

@@ -6,9 +6,14 @@ import { asRecorded, placed, type Placement } from '../figure/placement';
 import { sceneFrameOf, toScene } from '../figure/up-frame';
 import type { PairClip } from './pair-clips';
 
+/** The yaw of the widest side from which a body faces to the right rather than to the left. */
+export function sideYaw({ performer: { sideYawRad, frontYawRad } }: PairClip): number {
+  return Math.sin(frontYawRad - sideYawRad) < 0 ? sideYawRad + Math.PI : sideYawRad;
+}
+
 /** The yaw from which a clip's flat figures show the side that A's show. */
-export function pairYaw({ performer: a }: PairClip, { performer }: PairClip): number {
-  return performer.frontYawRad + a.sideYawRad - a.frontYawRad;
+export function pairYaw(a: PairClip, { performer }: PairClip): number {
+  return performer.frontYawRad + sideYaw(a) - a.performer.frontYawRad;
 }
 
 /** A clip on a stage of its own. */

@@ -143,6 +143,7 @@ export class Drawing {
       this.width / this.height,
       this.scene.place,
       this.headroom,
+      this.props.room,
     );
     this.rig.place(view, !this.unframed && !this.props.reducedMotion);
     this.unframed = false;
@@ -321,7 +322,8 @@ export class Drawing {
   }
 
   private framing(): Framing {
-    return framing(this.width / Math.max(1, this.height), this.scene.place, this.headroom);
+    const aspect = this.width / Math.max(1, this.height);
+    return framing(aspect, this.scene.place, this.headroom, this.props.room);
   }
 
   private moveCamera(nowMs: number): void {

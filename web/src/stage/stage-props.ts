@@ -45,6 +45,8 @@ export interface StageProps {
   readonly view: ViewPreset | null;
   /** Keep the figures in the middle. */
   readonly follow: boolean;
+  /** How many times as much is shown as the figures need, so that two stages have one scale; else it goes by the ghosts. */
+  readonly room?: number;
   readonly reducedMotion: boolean;
   readonly moreContrast: boolean;
   /** Widths of the words in the lower corners, from which tags stay away. */

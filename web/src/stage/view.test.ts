@@ -37,6 +37,15 @@ describe('presetView of several figures', () => {
 });
 
 describe('framing', () => {
+  it('shows as many times as much as is asked for, wherever ghosts are', () => {
+    const half = (room: number | null, ghosts: number): number =>
+      framing(2, { ...alone, ghosts }, 0, room).distance * Math.tan((23 / 360) * Math.PI);
+    expect([half(1.25, 0), half(1.25, 9)].map((value) => value / half(null, 0))).toEqual([
+      expect.closeTo(1.25, 9),
+      expect.closeTo(1.25, 9),
+    ]);
+  });
+
   it('takes in what is above and below a standing human', () => {
     const { distance, targetY } = framing(2, { ...alone, above: 0.8, below: 0.2 });
     const halfHeight = distance * Math.tan((23 / 360) * Math.PI);

@@ -53,26 +53,34 @@ export function presetView(
   aspect: number,
   place: Place,
   headroom = 0,
+  room: number | null = null,
 ): View {
   return {
     yawRad: preset === 'side' ? yaws.sideYawRad : yaws.frontYawRad,
     elevationRad: preset === 'top' ? TOP_ELEVATION_RAD : EYE_ELEVATION_RAD,
-    ...framing(aspect, place, headroom),
+    ...framing(aspect, place, headroom, room),
   };
 }
 
 /**
  * Where a camera looks and how far away it stands, so that all figures are in the picture.
- * `headroom`: part of the stage's height that is kept free above, for what stands over it.
+ * `headroom`: part of the stage's height that is kept free above, for what stands over it. `room`: how
+ * many times as much is shown as the figures need, wherever ghosts are; null: what the ghosts ask for.
  */
-export function framing(aspect: number, place: Place, headroom = 0): Framing {
+export function framing(
+  aspect: number,
+  place: Place,
+  headroom = 0,
+  room: number | null = null,
+): Framing {
   const { x, z, reach, above, below, ghosts } = place;
   const shape = Math.max(aspect, 1e-3);
   const halfWidth = FRAMED_HALF_WIDTH + reach;
   const halfHeight = FRAMED_HALF_HEIGHT + (above + below) / 2;
   const alone = Math.max(halfHeight, halfWidth / shape);
   // Ghosts far away do not make the figure small.
-  const free = Math.max(alone, Math.min((GHOST_HALF_WIDTH + ghosts) / shape, alone * MOST_ROOM));
+  const asked = Math.min((GHOST_HALF_WIDTH + ghosts) / shape, alone * MOST_ROOM);
+  const free = Math.max(alone, room === null ? asked : alone * room);
   const half = free / (1 - headroom);
   return {
     // The nearest of several figures may stand before the middle.

@@ -38,8 +38,8 @@ export const englishPair = {
   'pair.difference.label':
     'Differences of left arm, right arm, left leg, right leg and head along the time of B',
   'pair.alignment': 'Alignment',
-  'pair.alignment.start': 'from the start',
-  'pair.alignment.keypose': 'at a keypose',
+  'pair.alignment.start': 'start',
+  'pair.alignment.keypose': 'keypose',
   'pair.alignment.warp': 'warped',
   'pair.warp.progress': 'Warping, {0} %',
   'pair.warp.failed': 'B could not be warped: {0}',
