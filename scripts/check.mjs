@@ -3,7 +3,8 @@ import { nodeProgram, runSteps } from './steps.mjs';
 
 const clippy = ['cargo', 'clippy', '--locked', '--quiet'];
 const denyWarnings = ['--', '-D', 'warnings'];
-const wasm = ['-p', 'motion-wasm', '--target', 'wasm32-unknown-unknown'];
+const modules = ['-p', 'motion-wasm', '-p', 'comparison-wasm'];
+const wasm = [...modules, '--target', 'wasm32-unknown-unknown'];
 const eslint = ['eslint/bin/eslint.js', '--max-warnings', '0', '.'];
 
 runSteps([

@@ -3,6 +3,8 @@
 //! [`Distance`] is the one place where the next dissimilarity is added: a variant, and its arm in each
 //! function here.
 
+use core::borrow::Borrow;
+
 use crate::feature::{ClipFeature, FEATURE_LENGTH, JOINTS, Vector};
 
 /// The numbers that change their sign in a mirrored motion: the means of σ_xy and σ_zx. (Deviations
@@ -64,9 +66,9 @@ impl Distance {
 
     /// The vectors whose Euclidean distance it is; none where there are none, as for one that knows
     /// mirror images.
-    pub fn vectors(self, clips: &[ClipFeature]) -> Option<Vec<Vector>> {
+    pub fn vectors(self, clips: &[impl Borrow<ClipFeature>]) -> Option<Vec<Vector>> {
         let Distance::PostureVariation(choice) = self;
-        let vectors = clips.iter().map(|clip| *self.vector(clip));
+        let vectors = clips.iter().map(|clip| *self.vector(clip.borrow()));
         (!choice.mirror_aware).then(|| vectors.collect())
     }
 

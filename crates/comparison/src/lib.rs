@@ -13,10 +13,13 @@
 //! The crate knows no clip, no file and no clock; every number is an `f64`, and the same input gives
 //! the same bits on every platform.
 
+mod blocks;
+pub mod comparison;
 pub mod condensed;
 pub mod cut;
 pub mod dendrogram;
 pub mod distance;
+pub mod distances;
 pub mod evaluation;
 pub mod explanation;
 pub mod feature;
@@ -24,6 +27,10 @@ pub mod leaf_order;
 pub mod linkage;
 pub mod map;
 pub mod neighbours;
+pub mod picture;
+pub mod run;
+pub mod settings;
+pub mod spread;
 pub mod warping;
 
 #[cfg(test)]

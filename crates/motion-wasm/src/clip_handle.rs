@@ -3,6 +3,7 @@
 use motion::analysis::{Analyser, Analysis, KeyposeAnalysis, Survey};
 use motion::bvh::Reader;
 use motion::clip::Clip;
+use motion::feature::ComparableFeature;
 use motion::report::{self, Subject, Table, csv};
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -241,6 +242,31 @@ impl ClipHandle {
             .map_or_else(Vec::new, Vec::from)
     }
 
+    /// What is compared of a human performer, known from the survey on: the feature of the recorded
+    /// body; 12 numbers.
+    #[wasm_bindgen(js_name = recordedFeature)]
+    pub fn recorded_feature(&self, performer: usize) -> Vec<f64> {
+        self.comparable(performer, |found| found.recorded.to_vec())
+    }
+
+    /// The feature of the same motion on a body of standard lengths.
+    #[wasm_bindgen(js_name = acrossRigsFeature)]
+    pub fn across_rigs_feature(&self, performer: usize) -> Vec<f64> {
+        self.comparable(performer, |found| found.across_rigs.to_vec())
+    }
+
+    /// What each joint adds to the recorded feature: 16 joints × 12.
+    #[wasm_bindgen(js_name = recordedByJoint)]
+    pub fn recorded_by_joint(&self, performer: usize) -> Vec<f64> {
+        self.comparable(performer, |found| found.recorded_by_joint.concat())
+    }
+
+    /// What each joint adds to the feature on a body of standard lengths.
+    #[wasm_bindgen(js_name = acrossRigsByJoint)]
+    pub fn across_rigs_by_joint(&self, performer: usize) -> Vec<f64> {
+        self.comparable(performer, |found| found.across_rigs_by_joint.concat())
+    }
+
     /// Motion speed in body heights per second.
     pub fn speed(&self, performer: usize) -> Vec<f64> {
         self.series(performer, |found| found.speed.clone())
@@ -359,6 +385,25 @@ impl ClipHandle {
             .analysis
             .as_ref()
             .and_then(|all| series::keyposes(all, performer));
+        found.map_or_else(Vec::new, of)
+    }
+
+    fn comparable(
+        &self,
+        performer: usize,
+        of: impl Fn(&ComparableFeature) -> Vec<f64>,
+    ) -> Vec<f64> {
+        let surveyed = self
+            .survey
+            .as_ref()
+            .and_then(|all| all.performers.get(performer));
+        let analysed = self
+            .analysis
+            .as_ref()
+            .and_then(|all| all.performers.get(performer));
+        let found = surveyed
+            .and_then(|found| found.comparable.as_ref())
+            .or(analysed.and_then(|found| found.comparable.as_ref()));
         found.map_or_else(Vec::new, of)
     }
 

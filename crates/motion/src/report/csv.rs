@@ -1,7 +1,9 @@
 //! Tables as comma-separated values (RFC 4180): keyposes, candidates or traces of one file go in, a
 //! row for each comes out.
 
-use super::json::number;
+use result_text::csv::field;
+use result_text::json::number;
+
 use super::provenance::{VERSION, parameters_text};
 use super::{Subject, Table};
 use crate::analysis::KeyposeAnalysis;
@@ -108,24 +110,4 @@ fn percents(change: Option<&PartChange>) -> String {
 fn provenance(subject: &Subject) -> String {
     let parameters = parameters_text(&subject.analysis.options);
     format!("{},{VERSION},{parameters}", subject.sha256)
-}
-
-/// A text as a field: in quotes where it holds a comma, a quote or the end of a line.
-fn field(text: &str) -> String {
-    match text.contains([',', '"', '\r', '\n']) {
-        true => format!("\"{}\"", text.replace('"', "\"\"")),
-        false => text.to_owned(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::field;
-
-    #[test]
-    fn fields_are_quoted_where_they_must_be() {
-        assert_eq!(field("dance.bvh"), "dance.bvh");
-        assert_eq!(field("a, \"b\".bvh"), "\"a, \"\"b\"\".bvh\"");
-        assert_eq!(field("a\nb"), "\"a\nb\"");
-    }
 }

@@ -5,13 +5,13 @@ mod body;
 mod candidates;
 pub mod csv;
 mod file;
-pub mod json;
 mod keyposes;
 mod provenance;
 mod traces;
 
 pub use body::source_name;
 pub use provenance::VERSION;
+pub use result_text::json;
 
 use crate::analysis::Analysis;
 use crate::clip::Clip;
