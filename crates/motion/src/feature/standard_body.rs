@@ -146,18 +146,22 @@ fn places(posture: &[f64; WIDTH], hips: &Hips) -> [Point; PLACES] {
     })
 }
 
-/// The unit vectors along the bones.
+/// The unit vectors along the bones. Roots and quotients of all bones stand in rows of their own, so that
+/// several are made at once.
 fn directions(places: &[Point; PLACES]) -> [Point; BONES] {
-    let mut before = [0.0; 3];
-    STANDARD.map(|bone| {
+    let along = STANDARD.map(|bone| {
         let (from, to) = (places[bone.from], places[bone.to]);
-        let along = [0, 1, 2].map(|axis| to[axis] - from[axis]);
-        let length = (along[0] * along[0] + along[1] * along[1] + along[2] * along[2]).sqrt();
-        before = match bone.short {
-            Short::AsBefore if length < NO_DIRECTION => before,
-            Short::Forward if length < NO_DIRECTION => FORWARD,
-            _ if length > 0.0 => along.map(|value| value / length),
-            _ => [0.0; 3],
+        [to[0] - from[0], to[1] - from[1], to[2] - from[2]]
+    });
+    let squares = along.map(|[x, y, z]| x * x + y * y + z * z);
+    let lengths = squares.map(f64::sqrt);
+    let factors = lengths.map(|length| if length > 0.0 { 1.0 / length } else { 0.0 });
+    let mut before = [0.0; 3];
+    core::array::from_fn(|bone| {
+        before = match STANDARD[bone].short {
+            Short::AsBefore if lengths[bone] < NO_DIRECTION => before,
+            Short::Forward if lengths[bone] < NO_DIRECTION => FORWARD,
+            _ => along[bone].map(|value| value * factors[bone]),
         };
         before
     })
