@@ -430,6 +430,7 @@ fn survey_of(analysis: &Analysis, frames: usize) -> PerformerSurvey {
         unit: found.unit,
         leading_rest: found.leading_rest,
         feature: found.feature,
+        comparable: found.comparable,
         front_yaw_rad: found.front_yaw_rad,
         notes: found.notes,
     }
