@@ -70,3 +70,12 @@ export async function measureStage(address, path, counts) {
   const { value } = await inFreshPage(address, [path], 'drawFrames', basename(path), counts);
   return value.map(({ frameMs, ...drawn }) => ({ ...drawn, frame: spread(frameMs) }));
 }
+
+/** So many vectors compared in the page: until all is known, until the matrix is drawn, and frames, in ms. */
+export async function measureManyClips(address, count) {
+  const { value } = await inFreshPage(address, [], 'manyClips', count);
+  const { hoverMatrixMs, hoverMapMs, zoomMatrixMs, ...times } = value;
+  const frames = { hoverMatrixMs, hoverMapMs, zoomMatrixMs };
+  const spreads = Object.entries(frames).map(([name, each]) => [name, spread(each)]);
+  return { ...times, ...Object.fromEntries(spreads) };
+}

@@ -61,7 +61,34 @@ function stagesTable({ count, stages }) {
   return table([`${count} vectors`, 'native, ms'], rows);
 }
 
+function manyTable(many) {
+  const header = [
+    'in the page',
+    'all known, s',
+    'picture, ms',
+    'a frame of JavaScript, ms: over the matrix',
+    'over the map',
+    'zooming',
+  ];
+  return table(header, [
+    [
+      `${many.clips} clips`,
+      seconds(many.comparedMs),
+      many.pictureMs.toFixed(0),
+      told(many.hoverMatrixMs),
+      told(many.hoverMapMs),
+      told(many.zoomMatrixMs),
+    ],
+  ]);
+}
+
 /** The tables of comparing. */
-export function comparingTables({ set, linkage, stages }) {
-  return [appTable(set), commandTable(set), linkageTable(linkage), stagesTable(stages)];
+export function comparingTables({ set, linkage, stages, many }) {
+  return [
+    appTable(set),
+    commandTable(set),
+    linkageTable(linkage),
+    stagesTable(stages),
+    manyTable(many),
+  ];
 }

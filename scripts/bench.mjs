@@ -14,6 +14,7 @@ import { measureFolder } from '../bench/folder.mjs';
 import { measureLinkage, measureStages } from '../bench/linkage.mjs';
 import {
   measureExtraction,
+  measureManyClips,
   measureOpening,
   measureReading,
   measureStage,
@@ -80,12 +81,12 @@ function measurements({ sets, long, samples }, native, page, app) {
     }),
     stage: () => measureStage(page, brief, FIGURES),
     folder: () => measureFolder(join(results, 'files', 'folder'), samples, CLIPS, 3),
-    compare: () => measureComparing(app),
+    compare: () => measureComparing(page, app),
   };
 }
 
-/** A set compared by the command and in the app, and trees over many vectors. */
-async function measureComparing(app) {
+/** A set compared by the command and in the app, and many vectors natively and in the page. */
+async function measureComparing(page, app) {
   const set = motionSet(join(results, 'files'), Number(options.clips));
   const vectors = Number(options.vectors);
   return {
@@ -96,6 +97,7 @@ async function measureComparing(app) {
     },
     linkage: measureLinkage(join(results, 'files'), vectors, Math.min(runs, 3)),
     stages: measureStages(vectors, Math.min(runs, 3)),
+    many: await measureManyClips(page, vectors),
   };
 }
 

@@ -3,6 +3,7 @@ import { loadCore } from '../../web/src/engine/raw';
 import { type BitsFound, compareBits } from './bits';
 import { type Extracted, extract } from './extraction';
 import { bytesOf } from './files';
+import { type ManyClips, manyClips } from './many-clips';
 import { type Opened, open } from './opening';
 import { poseAll, readByKeypose, readByThree } from './readers';
 import { type StageFrames, drawFrames } from './stage';
@@ -70,9 +71,9 @@ async function extraction(name: string, runs: number): Promise<Extracted[]> {
   return found;
 }
 
-export type { BitsFound, Extracted, Opened, StageFrames };
+export type { BitsFound, Extracted, ManyClips, Opened, StageFrames };
 
-const bench = { read, bits, extraction, open, drawFrames };
+const bench = { read, bits, extraction, open, drawFrames, manyClips };
 
 declare global {
   interface Window {
