@@ -13,6 +13,9 @@ export const sortKeys: readonly SortKey[] = ['arrival', 'name', 'length', 'keypo
 
 const byName = new Intl.Collator(['en', 'ja'], { numeric: true, sensitivity: 'base' });
 
+/** As people sort names: numbers by their value, case and width apart only at last. */
+export const compareText = (a: string, b: string): number => byName.compare(a, b);
+
 const measures: Readonly<Record<'length' | 'keyposes', (clip: Clip) => number | null>> = {
   length: (clip) => (clip.extent ? lengthOf(clip.extent) : null),
   keyposes: (clip) => (isAnalysed(clip) ? keyposeCount(clip) : null),

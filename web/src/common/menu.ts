@@ -13,6 +13,8 @@ export interface MenuItem {
   readonly several?: boolean;
   /** A line stands above it. */
   readonly apart?: boolean;
+  /** Why it cannot be chosen. */
+  readonly barred?: string | undefined;
   readonly onChoose: () => void;
 }
 
@@ -22,6 +24,8 @@ export interface Menu {
   readonly label: string;
   /** Stands on the button beside the icon: what is chosen. */
   readonly text?: string;
+  /** A field that shows what is chosen, without an icon; its menu begins where it does. */
+  readonly field?: boolean;
   /** As `aria-keyshortcuts` has them, and as the tip shows them. */
   readonly keys?: string;
   readonly keyText?: string;
@@ -30,16 +34,17 @@ export interface Menu {
 
 const gapPx = 4;
 
-/** Under the button, its right edge with the button's; above it where there is no room; always in the window. */
+/** Under the button, one edge with the button's; above it where there is no room; always in the window. */
 function place(menu: HTMLElement): void {
   const button = document.querySelector(`[popovertarget="${menu.id}"]`);
   if (!button) return;
-  const { right, top, bottom } = button.getBoundingClientRect();
+  const { left, right, top, bottom } = button.getBoundingClientRect();
   const { offsetWidth: width, offsetHeight: height } = menu;
   const fitsBelow = bottom + 2 * gapPx + height <= innerHeight;
   const wanted = fitsBelow ? bottom + gapPx : top - gapPx - height;
   menu.style.top = `${Math.max(gapPx, Math.min(wanted, innerHeight - gapPx - height))}px`;
-  menu.style.left = `${Math.max(gapPx, right - width)}px`;
+  const start = menu.hasAttribute('data-begins') ? left : right - width;
+  menu.style.left = `${Math.max(gapPx, Math.min(start, innerWidth - gapPx - width))}px`;
 }
 
 const itemsOf = (menu: HTMLElement): HTMLElement[] => [
@@ -69,6 +74,7 @@ function onKey(event: KeyboardEvent): void {
 function menuItem(item: MenuItem): TemplateResult {
   const choose = (event: Event): void => {
     const button = event.currentTarget as HTMLElement;
+    if (item.barred !== undefined) return;
     if (!item.several) button.closest<HTMLElement>('[popover]')?.hidePopover();
     item.onChoose();
   };
@@ -79,19 +85,33 @@ function menuItem(item: MenuItem): TemplateResult {
     role=${checkable ? (item.several ? 'menuitemcheckbox' : 'menuitemradio') : 'menuitem'}
     lang=${item.lang ?? nothing}
     aria-checked=${checkable ? String(item.checked) : nothing}
+    aria-disabled=${item.barred === undefined ? nothing : 'true'}
     @click=${choose}
   >
     <span class="menu-icon"
       >${item.checked ? icon('check', 14) : item.icon ? icon(item.icon, 15) : nothing}</span
-    >${item.label}
+    >${
+      item.barred === undefined
+        ? item.label
+        : html`<span class="menu-two"
+            ><span>${item.label}</span> <span class="menu-reason">${item.barred}</span></span
+          >`
+    }
   </button>`;
 }
 
+function face({ name, text, field }: Menu): TemplateResult {
+  const words = text === undefined ? nothing : html`<span class="menu-text">${text}</span>`;
+  return field ? html`${words}${icon('chevron-down', 14)}` : html`${icon(name, 15)}${words}`;
+}
+
 export function menuButton(menu: Menu): TemplateResult {
-  const { id, name, label, text, keys, keyText, items } = menu;
+  const { id, label, text, field, keys, keyText, items } = menu;
+  const look =
+    text === undefined ? 'icon-button small' : field ? 'button line field-button' : 'button ghost';
   return html`<button
       type="button"
-      class=${text === undefined ? 'icon-button small' : 'button ghost'}
+      class=${look}
       popovertarget=${id}
       aria-haspopup="menu"
       aria-label=${text === undefined ? label : `${label} ${text}`}
@@ -99,12 +119,13 @@ export function menuButton(menu: Menu): TemplateResult {
       data-tip=${label}
       data-key=${keyText ?? nothing}
     >
-      ${icon(name, 15)}${text === undefined ? nothing : html`<span class="menu-text">${text}</span>`}
+      ${face(menu)}
     </button>
     <div
       id=${id}
       class="menu"
       popover
+      ?data-begins=${field}
       role="menu"
       aria-label=${label}
       @toggle=${onToggle}

@@ -1,0 +1,33 @@
+/** How the page Compare names a clip and marks it: short name, shape of its label, mirror sign. */
+import { html, nothing, type TemplateResult } from 'lit-html';
+import type { Clip } from '../app/clips';
+import type { Words } from '../app/i18n/catalogue';
+import { labelMark } from '../common/label-mark';
+
+/** A file name without its ending. */
+export const plainName = (name: string): string => name.replace(/\.bvh$/i, '');
+
+export const shortName = (clip: Clip | null | undefined): string =>
+  plainName(clip?.source.name ?? '');
+
+/** Distances, in squared body heights, stand with so many digits. */
+export const distanceDigits = 4;
+
+/** A label and its place among all. */
+export interface LabelOf {
+  readonly name: string;
+  readonly index: number;
+}
+
+export function namedMark(label: LabelOf | null): TemplateResult | typeof nothing {
+  return label
+    ? html`${labelMark(label.index)}<span class="spoken">${label.name} </span>`
+    : nothing;
+}
+
+export function mirrorSign({ t }: Words): TemplateResult {
+  const about = t('neighbours.mirrored');
+  return html`<span class="mirror-sign" title=${about}
+    ><span aria-hidden="true">⇋</span><span class="spoken"> ${about}</span></span
+  >`;
+}

@@ -1,0 +1,168 @@
+/**
+ * How well the distance tells the labels apart: accuracy of the nearest neighbour, R, P and F of the
+ * clusters, the confusion of labels, and every error, which a press selects as the pair.
+ */
+import '../styles/evaluation.css';
+import { html, nothing, type TemplateResult } from 'lit-html';
+import type { Clip } from '../app/clips';
+import type { Context } from '../app/context';
+import type { Words } from '../app/i18n/catalogue';
+import type { Labels } from '../app/labels';
+import { icon } from '../common/icons';
+import { labelMark } from '../common/label-mark';
+import { mount } from '../common/mount';
+import type { Evaluation } from '../engine/comparison-types';
+import type { ClipId } from '../engine/types';
+import { shortName } from './clip-words';
+import { confusionTable } from './confusion-table';
+import { openLabelDialog } from './label-dialog';
+
+interface EvaluationProps {
+  readonly words: Words;
+  readonly evaluation: Evaluation;
+  /** Clips that are compared. */
+  readonly compared: number;
+  readonly clusters: number;
+  readonly clips: readonly Clip[];
+  readonly labels: Labels;
+  readonly placeOf: (label: string) => number;
+  readonly selected: { readonly a: ClipId | null; readonly b: ClipId | null };
+  readonly onPair: (a: ClipId, b: ClipId) => void;
+}
+
+/** So many lines of one kind; the others are counted. */
+const mostSingles = 2;
+const mostErrors = 200;
+
+const figure = (value: string, beside: string, about: string): TemplateResult =>
+  html`<div class="score">
+    <p><span class="score-value">${value}</span> <span class="score-beside">${beside}</span></p>
+    <p class="quiet">${about}</p>
+  </div>`;
+
+function notes({ words: { t }, evaluation, compared, clips, labels }: EvaluationProps): string[] {
+  const owner = (label: string): string =>
+    shortName(clips.find(({ id, removed }) => !removed && labels.get(id) === label));
+  const { single, labelled } = evaluation;
+  const singles = single
+    .slice(0, mostSingles)
+    .map((label) => t('evaluation.single', owner(label), label));
+  const more = single.length - singles.length;
+  return [
+    ...(compared > labelled ? [t('evaluation.unlabelled', compared - labelled)] : []),
+    ...singles,
+    ...(more > 0 ? [t('evaluation.single.more', more)] : []),
+  ];
+}
+
+function scores(props: EvaluationProps): TemplateResult {
+  const { words, evaluation, clusters } = props;
+  const { t, format } = words;
+  const { accuracy, correct, labelled, f, recall, precision } = evaluation;
+  const percent = t('unit.percent', format.decimal(accuracy * 100, 1));
+  const rates = t('evaluation.r-p', format.decimal(recall, 2), format.decimal(precision, 2));
+  return html`<section>
+    <h3>${t('evaluation.title')}</h3>
+    ${figure(percent, t('evaluation.of', correct, labelled), t('evaluation.leave-one-out'))}
+    ${figure(format.decimal(f, 2), rates, t('evaluation.f', clusters))}
+    ${notes(props).map(
+      (note) => html`<p class="evaluation-note">${icon('info', 14)}<span>${note}</span></p>`,
+    )}
+  </section>`;
+}
+
+function errorRow(props: EvaluationProps, a: ClipId, b: ClipId): TemplateResult {
+  const { words, clips, labels, placeOf, selected, onPair } = props;
+  const one = (id: ClipId): TemplateResult => {
+    const label = labels.get(id) ?? null;
+    return html`<span class="error-clip" title=${label ?? nothing}
+      >${label === null ? nothing : labelMark(placeOf(label))}<span>${shortName(clips[id])}</span
+      ><span class="spoken"> ${label}</span></span
+    >`;
+  };
+  return html`<li>
+    <button
+      type="button"
+      class="error-row"
+      aria-pressed=${String(selected.a === a && selected.b === b)}
+      @click=${() => onPair(a, b)}
+    >
+      ${one(a)}<span class="quiet">${words.t('evaluation.nearest')}</span>${one(b)}
+    </button>
+  </li>`;
+}
+
+function errorList(props: EvaluationProps): TemplateResult {
+  const { words, evaluation } = props;
+  const { errors } = evaluation;
+  const more = errors.length - mostErrors;
+  return html`<section class="evaluation-errors">
+    <h3>${words.t('evaluation.errors', errors.length)}</h3>
+    <ul>
+      ${errors.slice(0, mostErrors).map(({ clip, nearest }) => errorRow(props, clip, nearest))}
+    </ul>
+    ${more > 0 ? html`<p class="quiet">${words.t('compare.apart.more', more)}</p>` : nothing}
+  </section>`;
+}
+
+function confusion(props: EvaluationProps): TemplateResult {
+  const { words, evaluation, labels, placeOf, onPair } = props;
+  const labelAt = (id: ClipId): string | null => labels.get(id) ?? null;
+  // The first of the errors that are counted there.
+  const onCell = (own: number, found: number): void => {
+    const error = evaluation.errors.find(
+      ({ clip, nearest }) =>
+        labelAt(clip) === evaluation.labels[own] && labelAt(nearest) === evaluation.labels[found],
+    );
+    if (error) onPair(error.clip, error.nearest);
+  };
+  return html`<section class="evaluation-confusion">
+    <h3>${words.t('evaluation.confusion')}</h3>
+    ${confusionTable({ words, evaluation, placeOf, onCell })}
+  </section>`;
+}
+
+function empty({ t }: Words, labelled: boolean): TemplateResult {
+  return html`<div class="evaluation-empty">
+    <p>${t(labelled ? 'evaluation.waiting' : 'evaluation.empty')}</p>
+    ${
+      labelled
+        ? nothing
+        : html`<button type="button" class="button line" @click=${openLabelDialog}>
+            ${t('labels.pattern.choose')}
+          </button>`
+    }
+  </div>`;
+}
+
+function panel(context: Context): TemplateResult {
+  const { store, language, compareActions } = context;
+  const { evaluation, comparison, cut, otherId } = store.compare;
+  const words = language.words.value;
+  const names = store.labelNames.value;
+  const found = evaluation.value;
+  if (names.length === 0 || !found || found.labelled === 0)
+    return empty(words, names.length > 0 && !found);
+  return html`${[scores, confusion, errorList].map((block) =>
+    block({
+      words,
+      evaluation: found,
+      compared: comparison.value?.clips.length ?? found.labelled,
+      clusters: cut.value?.clusters ?? 0,
+      clips: store.clips.value,
+      labels: store.labels.value,
+      placeOf: (label) => names.indexOf(label),
+      selected: { a: store.openId.value, b: otherId.value },
+      onPair: (a, b) => compareActions.selectPair(a, b),
+    }),
+  )}`;
+}
+
+export function mountEvaluation(place: HTMLElement, context: Context): void {
+  place.classList.add('evaluation');
+  place.setAttribute('role', 'region');
+  mount(place, () => {
+    place.setAttribute('aria-label', context.language.words.value.t('evaluation.title'));
+    return panel(context);
+  });
+}

@@ -1,0 +1,123 @@
+/** The tab "Neighbours": all clips from the nearest to the farthest from the first of the pair. */
+import { html, nothing, type TemplateResult } from 'lit-html';
+import { repeat } from 'lit-html/directives/repeat.js';
+import type { Clip } from '../app/clips';
+import type { Words } from '../app/i18n/catalogue';
+import { clipName } from '../common/clip-name';
+import { drawn, styled } from '../common/directives';
+import { labelMark } from '../common/label-mark';
+import type { Neighbour } from '../engine/comparison-types';
+import type { ClipId } from '../engine/types';
+import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
+import { rowWindow } from '../library/row-window';
+import { distanceDigits, mirrorSign, shortName, type LabelOf } from './clip-words';
+
+export const neighbourHeightPx = 44;
+const thumbnailPx = 36;
+const paddingPx = 2.5;
+
+export interface NeighbourListProps {
+  readonly words: Words;
+  readonly a: Clip | null;
+  readonly neighbours: readonly Neighbour[];
+  readonly clips: readonly Clip[];
+  readonly otherId: ClipId | null;
+  readonly labelOf: (id: ClipId) => LabelOf | null;
+  readonly scrollTop: number;
+  readonly viewHeight: number;
+  readonly onChoose: (id: ClipId) => void;
+  readonly onOpenPair: (id: ClipId) => void;
+  readonly onScroll: (top: number) => void;
+}
+
+function thumbnail(clip: Clip | undefined): TemplateResult {
+  const figure = clip?.thumbnail ?? null;
+  const draw = (svg: Element): void => {
+    if (figure) drawFlatFigure(svg, figure, fitFigure(figure, thumbnailPx, thumbnailPx, paddingPx));
+  };
+  return html`<svg
+    class="thumbnail"
+    viewBox="0 0 ${thumbnailPx} ${thumbnailPx}"
+    aria-hidden="true"
+    ${drawn(figure, draw)}
+  ></svg>`;
+}
+
+function row(
+  props: NeighbourListProps,
+  one: Neighbour,
+  index: number,
+  tabStop: boolean,
+): TemplateResult {
+  const { words, clips, otherId, labelOf, neighbours, onChoose, onOpenPair } = props;
+  const clip = clips[one.clip];
+  const label = labelOf(one.clip);
+  return html`<li
+    aria-setsize=${neighbours.length}
+    aria-posinset=${index + 1}
+    ${styled({ transform: `translateY(${index * neighbourHeightPx}px)` })}
+  >
+    <button
+      type="button"
+      class="neighbour"
+      data-neighbour=${one.clip}
+      tabindex=${tabStop ? 0 : -1}
+      aria-pressed=${String(otherId === one.clip)}
+      @click=${() => onChoose(one.clip)}
+      @dblclick=${() => onOpenPair(one.clip)}
+    >
+      <span class="neighbour-rank">${words.format.integer(index + 1)}</span>
+      ${thumbnail(clip)}
+      <span class="neighbour-text"
+        >${clipName(clip?.source.name ?? '')}<span class="neighbour-label"
+          >${label ? html`${labelMark(label.index)}${label.name}` : nothing}</span
+        ></span
+      >
+      <span class="neighbour-distance"
+        >${words.format.decimal(one.distance, distanceDigits)}${one.mirrored ? mirrorSign(words) : nothing}</span
+      >
+    </button>
+  </li>`;
+}
+
+function onKey(props: NeighbourListProps, event: KeyboardEvent): void {
+  const { neighbours, otherId, onChoose } = props;
+  const last = neighbours.length - 1;
+  const focused = Number((event.target as HTMLElement).dataset['neighbour'] ?? otherId);
+  const index = neighbours.findIndex(({ clip }) => clip === focused);
+  const next = { ArrowDown: index + 1, ArrowUp: index - 1, Home: 0, End: last }[event.key];
+  if (next === undefined) return;
+  event.preventDefault();
+  const chosen = neighbours[Math.max(0, Math.min(last, next))];
+  if (chosen) onChoose(chosen.clip);
+}
+
+export function neighbourList(props: NeighbourListProps): TemplateResult {
+  const { words, a, neighbours, otherId } = props;
+  if (!a || neighbours.length === 0)
+    return html`<p class="side-hint">${words.t(a ? 'neighbours.none' : 'why-pair.none')}</p>`;
+  const { first, end } = rowWindow(
+    neighbours.length,
+    neighbourHeightPx,
+    props.scrollTop,
+    props.viewHeight,
+  );
+  const inSight = neighbours.slice(first, end);
+  const hasChosen = inSight.some(({ clip }) => clip === otherId);
+  const onScroll = (event: Event): void => props.onScroll((event.target as HTMLElement).scrollTop);
+  return html`<div
+    class="neighbour-list"
+    @scroll=${onScroll}
+    @keydown=${(event: KeyboardEvent) => onKey(props, event)}
+  >
+    <h3 class="neighbour-title">${words.t('neighbours.nearest-to', shortName(a))}</h3>
+    <ol ${styled({ height: `${neighbours.length * neighbourHeightPx}px` })}>
+      ${repeat(
+        inSight,
+        ({ clip }) => clip,
+        (one, offset) =>
+          row(props, one, first + offset, hasChosen ? one.clip === otherId : offset === 0),
+      )}
+    </ol>
+  </div>`;
+}
