@@ -1,4 +1,5 @@
 /** The tab "Table": every clip as a row, those that cannot be compared with their reason; also what the map says, to be read. */
+import '../styles/clip-table.css';
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
 import { live } from 'lit-html/directives/live.js';

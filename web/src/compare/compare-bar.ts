@@ -1,4 +1,5 @@
 /** The bar of the page: distance, tree and labels chosen from menus; what was found saved as files. */
+import '../styles/compare-bar.css';
 import { html, type TemplateResult } from 'lit-html';
 import type { LabelRule } from '../app/compare-store';
 import type { Context } from '../app/context';

@@ -82,7 +82,7 @@ function form(words: Words, draft: Draft, onApply: () => void): TemplateResult {
     if (preview.fault === null) onApply();
   };
   return html`<form class="label-form" @submit=${onSubmit}>
-    <label for="label-pattern">${t('labels.pattern')}</label>
+    <label for="label-pattern">${t('labels.pattern-field')}</label>
     <div class="field">
       <input
         id="label-pattern"
@@ -128,23 +128,31 @@ export function createLabelDialog({ store, compareActions, language }: Context):
     close();
   };
   return {
-    template: () => {
-      const words = language.words.value;
-      const title = words.t('labels.from-names');
-      const head = html`<div class="dialog-head">
-        <h2>${title}</h2>
-        ${iconButton({ name: 'x', label: words.t('help.close'), onPress: close })}
-      </div>`;
-      return html`<div
-        id=${panelId}
-        class="label-panel"
-        popover
-        role="dialog"
-        aria-label=${title}
-        @toggle=${onToggle}
-      >
-        ${isOpen.value ? html`${head}${form(words, draft, apply)}` : nothing}
-      </div>`;
-    },
+    template: () =>
+      popover(language.words.value, onToggle, (words) =>
+        isOpen.value ? form(words, draft, apply) : nothing,
+      ),
   };
+}
+
+function popover(
+  words: Words,
+  onToggle: (event: Event) => void,
+  content: (words: Words) => unknown,
+): TemplateResult {
+  const title = words.t('labels.from-names');
+  return html`<div
+    id=${panelId}
+    class="label-panel"
+    popover
+    role="dialog"
+    aria-label=${title}
+    @toggle=${onToggle}
+  >
+    <div class="dialog-head">
+      <h2>${title}</h2>
+      ${iconButton({ name: 'x', label: words.t('help.close'), onPress: close })}
+    </div>
+    ${content(words)}
+  </div>`;
 }

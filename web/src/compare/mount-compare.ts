@@ -5,6 +5,8 @@ import { html, nothing, render, type TemplateResult } from 'lit-html';
 import type { Context } from '../app/context';
 import { follow, mount } from '../common/mount';
 import { clipsApart } from './apart';
+import { mountCompareBar } from './compare-bar';
+import { mountEvaluation } from './evaluation-panel';
 import { labelMark } from '../common/label-mark';
 import { MapView } from './map-view';
 import { leastNamedCellPx } from './matrix-axis';
@@ -12,6 +14,7 @@ import { noZoom } from './matrix-geometry';
 import { matrixHead } from './matrix-head';
 import { MatrixPane } from './matrix-pane';
 import { createShared, type Shared } from './shared';
+import { mountSideTabs } from './side-tabs';
 
 const skeleton = html`<div class="compare-page">
   <div id="compare-bar" class="compare-bar"></div>
@@ -39,6 +42,9 @@ export function mountCompare(place: HTMLElement, context: Context): void {
   const shared = createShared(place, context);
   const pane = new MatrixPane(part(place, '.matrix-pane'), shared);
   mountMap(place, shared);
+  mountCompareBar(part(place, '#compare-bar'), context);
+  mountEvaluation(part(place, '#compare-evaluation'), context);
+  mountSideTabs(part(place, '#compare-side'), context);
   mount(part(place, '.matrix-head'), () => head(shared, pane));
   mount(part(place, '.map-legend'), () => mapLegend(shared));
   mount(part(place, '.compare-message'), () => message(context));

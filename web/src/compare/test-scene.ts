@@ -22,6 +22,8 @@ export const testComparison: Comparison = {
   legendMaximum: 3,
   maximum: 4,
   map: Float64Array.of(0, 0, 1, 0, 4, 3, 5, 3),
+  nearest: new Int32Array(),
+  nearestDistances: new Float64Array(),
   spread: 0.9,
 };
 
