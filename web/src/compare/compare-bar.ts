@@ -12,6 +12,7 @@ import {
   type ComparisonSettings,
   type Linkage,
 } from '../engine/comparison-types';
+import { saveComparePicture, type PictureFormat, type PictureKind } from './pictures';
 import { createLabelDialog, openLabelDialog } from './label-dialog';
 
 interface BarProps {
@@ -19,13 +20,14 @@ interface BarProps {
   readonly settings: ComparisonSettings;
   readonly rule: LabelRule;
   readonly byHand: boolean;
-  /** Why a kind of file cannot be written; null: it can. */
-  readonly barred: Readonly<Record<'comparison' | 'evaluation', string | null>>;
+  /** Why a kind of file cannot be written. */
+  readonly barred: Readonly<Record<'comparison' | 'evaluation', string | undefined>>;
   readonly onSettings: (settings: ComparisonSettings) => void;
   readonly onRule: (rule: LabelRule) => void;
   readonly onPattern: () => void;
   readonly onHand: () => void;
   readonly onExport: (kind: ComparisonExportKind) => void;
+  readonly onPicture: (kind: PictureKind, format: PictureFormat) => void;
 }
 
 const linkages: readonly Linkage[] = ['ward', 'average'];
@@ -115,22 +117,40 @@ const exportKinds: readonly (readonly ComparisonExportKind[])[] = [
   ['evaluation-csv', 'evaluation-json'],
 ];
 
-function exportMenu({ words: { t }, barred, onExport }: BarProps): Menu {
+const pictureKinds: readonly PictureKind[] = ['matrix', 'tree', 'map'];
+const pictureFormats: readonly PictureFormat[] = ['svg', 'png'];
+
+function fileItems({ words: { t }, barred, onExport }: BarProps): MenuItem[] {
   const item = (kind: ComparisonExportKind, apart: boolean): MenuItem => ({
     label: t(`save.${kind}`),
-    icon: 'download',
     apart,
-    barred: (kind.startsWith('evaluation') && barred.evaluation) || barred.comparison || undefined,
+    barred: barred.comparison ?? (kind.startsWith('evaluation') ? barred.evaluation : undefined),
     onChoose: () => onExport(kind),
   });
+  return exportKinds.flatMap((kinds, group) =>
+    kinds.map((kind, index) => item(kind, group > 0 && index === 0)),
+  );
+}
+
+function pictureItems({ words: { t }, barred, onPicture }: BarProps): MenuItem[] {
+  return pictureKinds.flatMap((kind, group) =>
+    pictureFormats.map((format, index) => ({
+      label: t(`save.picture.${kind}`, format.toUpperCase()),
+      apart: group + index === 0,
+      barred: barred.comparison,
+      onChoose: () => onPicture(kind, format),
+    })),
+  );
+}
+
+function exportMenu(props: BarProps): Menu {
+  const label = props.words.t('bar.export');
   return {
     id: 'save-menu',
     name: 'download',
-    label: t('bar.export'),
-    text: t('bar.export'),
-    items: exportKinds.flatMap((kinds, group) =>
-      kinds.map((kind, index) => item(kind, group > 0 && index === 0)),
-    ),
+    label,
+    text: label,
+    items: [...fileItems(props), ...pictureItems(props)],
   };
 }
 
@@ -142,7 +162,8 @@ function bar(props: BarProps): TemplateResult {
     )}<span class="bar-gap"></span>${menuButton(exportMenu(props))}`;
 }
 
-function propsOf({ store, compareActions, language }: Context): BarProps {
+function propsOf(context: Context): BarProps {
+  const { store, compareActions, language } = context;
   const words = language.words.value;
   const { settings, labelRule, handLabels, comparison, evaluation } = store.compare;
   return {
@@ -151,14 +172,15 @@ function propsOf({ store, compareActions, language }: Context): BarProps {
     rule: labelRule.value,
     byHand: [...handLabels.value.values()].some(Boolean),
     barred: {
-      comparison: comparison.value ? null : words.t('save.nothing'),
-      evaluation: evaluation.value ? null : words.t('save.no-labels'),
+      comparison: comparison.value ? undefined : words.t('save.nothing'),
+      evaluation: evaluation.value ? undefined : words.t('save.no-labels'),
     },
     onSettings: (next) => compareActions.setComparisonSettings(next),
     onRule: (rule) => compareActions.setLabelRule(rule),
     onPattern: openLabelDialog,
     onHand: () => compareActions.setTab('table'),
     onExport: (kind) => compareActions.exportComparison(kind),
+    onPicture: (kind, format) => void saveComparePicture(context, kind, format),
   };
 }
 

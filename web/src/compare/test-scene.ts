@@ -22,8 +22,6 @@ export const testComparison: Comparison = {
   legendMaximum: 3,
   maximum: 4,
   map: Float64Array.of(0, 0, 1, 0, 4, 3, 5, 3),
-  nearest: new Int32Array(),
-  nearestDistances: new Float64Array(),
   spread: 0.9,
 };
 
