@@ -1,6 +1,8 @@
 //! Distances of all pairs of `items` things, as SciPy keeps them: in a row for every thing, only the
 //! pairs with a later one.
 
+use std::ops::Range;
+
 /// The upper triangle of a symmetric matrix without its diagonal, row by row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Condensed {
@@ -38,9 +40,34 @@ impl Condensed {
         }
     }
 
-    /// The value of two different things in either order, to be changed.
-    pub(crate) fn at_mut(&mut self, one: usize, other: usize) -> &mut f64 {
-        let (row, column) = (one.min(other), one.max(other));
-        &mut self.values[index(self.items, row, column)]
+    /// Where the values of a thing with those before it stand, in order.
+    pub(crate) fn column(&self, item: usize) -> impl Iterator<Item = usize> + use<> {
+        let items = self.items;
+        let mut next = item.wrapping_sub(1);
+        (0..item).map(move |row| {
+            let place = next;
+            next = next.wrapping_add(items - row - 2);
+            place
+        })
+    }
+
+    /// Where the values of a thing with those after it stand.
+    pub(crate) fn row(&self, item: usize) -> Range<usize> {
+        let start = item * (2 * self.items - item - 1) / 2;
+        start..start + self.items - item - 1
+    }
+
+    /// Leaves only the things `kept`, which rise.
+    pub(crate) fn keep(&mut self, kept: &[usize]) {
+        let mut place = 0;
+        for (at, &row) in kept.iter().enumerate() {
+            let start = self.row(row).start;
+            for &column in &kept[at + 1..] {
+                self.values[place] = self.values[start + column - row - 1];
+                place += 1;
+            }
+        }
+        self.values.truncate(place);
+        self.items = kept.len();
     }
 }

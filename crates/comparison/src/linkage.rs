@@ -4,6 +4,7 @@
 //! start (the first cluster left) and preferences among equal distances (the one before in the
 //! chain, then the lowest number), so that their trees are SciPy's.
 
+mod best;
 mod chain;
 mod on_centroids;
 mod on_matrix;
@@ -95,8 +96,14 @@ impl GroupAverageSteps {
     /// Nothing merged yet; works on a copy of the matrix.
     #[must_use]
     pub fn new(condensed: &Condensed) -> Self {
+        Self::in_place(condensed.clone())
+    }
+
+    /// Nothing merged yet; works on the matrix itself.
+    #[must_use]
+    pub fn in_place(condensed: Condensed) -> Self {
         Self {
-            chain: Chain::of(OnMatrix::of(condensed.clone())),
+            chain: Chain::of(OnMatrix::of(condensed)),
         }
     }
 

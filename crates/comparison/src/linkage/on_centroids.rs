@@ -8,9 +8,10 @@ mod boxes;
 mod components;
 mod near_blocks;
 
+use super::best::Best;
 use super::chain::{Clusters, Near};
 use crate::feature::Vector;
-use block::{Best, Block, LANES, Member};
+use block::{Block, LANES, Member};
 use boxes::Boxes;
 
 /// The place of a cluster that is gone.
@@ -97,7 +98,7 @@ impl Clusters for OnCentroids {
         let own = self.places[slot] / LANES;
         self.blocks[own].search(&from, &mut best);
         for group in 0..self.boxes.groups() {
-            let mut near = self.boxes.near(group, &from, best.squared_distance);
+            let mut near = self.boxes.near(group, &from, best.distance);
             while near != 0 {
                 let block = group * 4 + near.trailing_zeros() as usize;
                 near &= near - 1;
@@ -108,7 +109,7 @@ impl Clusters for OnCentroids {
         }
         Near {
             slot: best.slot.unwrap_or_else(|| self.first_other(slot)),
-            distance: best.squared_distance.sqrt(),
+            distance: best.distance.sqrt(),
         }
     }
 

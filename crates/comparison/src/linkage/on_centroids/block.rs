@@ -2,6 +2,7 @@
 
 use super::components::PARTS;
 use crate::feature::{FEATURE_LENGTH, Vector};
+use crate::linkage::best::Best;
 use wide::f64x4;
 
 /// Clusters of a block.
@@ -50,44 +51,6 @@ impl Member {
             sum += (a - b) * (a - b);
         }
         2.0 * self.items * other.items / (self.items + other.items) * sum
-    }
-}
-
-/// The nearest cluster so far.
-pub(super) struct Best {
-    pub(super) slot: Option<usize>,
-    pub(super) squared_distance: f64,
-    /// Whether it wins against others at the same distance, whatever their slots.
-    preferred: bool,
-}
-
-impl Best {
-    pub(super) fn none() -> Self {
-        Self {
-            slot: None,
-            squared_distance: f64::INFINITY,
-            preferred: false,
-        }
-    }
-
-    pub(super) fn preferred(slot: usize, squared_distance: f64) -> Self {
-        Self {
-            slot: Some(slot),
-            squared_distance,
-            preferred: true,
-        }
-    }
-
-    fn offer(&mut self, slot: usize, squared_distance: f64) {
-        let is_equal = squared_distance == self.squared_distance && !self.preferred;
-        let is_lower = self.slot.is_some_and(|best| slot < best);
-        if squared_distance < self.squared_distance || (is_equal && is_lower) {
-            *self = Self {
-                slot: Some(slot),
-                squared_distance,
-                preferred: false,
-            };
-        }
     }
 }
 
@@ -147,13 +110,12 @@ impl Block {
     /// Offers every other cluster of the block that is as near as the best so far.
     pub(super) fn search(&self, from: &Member, best: &mut Best) {
         for vector in 0..LANES / WIDTH {
-            let Some(distances) = self.squared_distances(vector, from, best.squared_distance)
-            else {
+            let Some(distances) = self.squared_distances(vector, from, best.distance) else {
                 continue;
             };
             for (part, &distance) in distances.to_array().iter().enumerate() {
                 let slot = self.slots[vector * WIDTH + part];
-                if distance <= best.squared_distance && slot != from.slot {
+                if distance <= best.distance && slot != from.slot {
                     best.offer(slot, distance);
                 }
             }
