@@ -83,7 +83,7 @@ fn the_same_trial_on_two_rigs_is_nearest_on_a_standard_body() {
         .position(|name| name == "05_11")
         .expect("the trial");
     let ranks = [RECORDED, ACROSS_RIGS].map(|distance| ranks(distance, &clips, place, &twin));
-    // As recorded, the other rig's longer arms (σ_xx) bring one other dance nearer.
+    // As recorded, the other rig's shoulders, half as wide (σ_xx), bring one other trial nearer.
     assert_eq!(ranks, [[1, 2], [1, 1]]);
     let between = |distance: Distance| distance.between(&clips[place], &twin).value;
     assert!(between(ACROSS_RIGS) < 0.65 * between(RECORDED));
