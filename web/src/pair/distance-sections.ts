@@ -1,19 +1,35 @@
 /** What is known of the distance between A and B in; the sections of the panel that explain it out. */
 import { html, type TemplateResult } from 'lit-html';
 import type { Context } from '../app/context';
+import { componentBars } from '../compare/component-bars';
+import { paintedBody, partList } from '../compare/painted-body';
+import { whySentence } from '../compare/why-sentence';
 import type { Explanation } from '../engine/comparison-types';
 import { section } from '../inspector/section';
 import { distanceText } from './distance-text';
 
+const names = {
+  a: html`<b class="pair-named" data-tint="0">A</b>`,
+  b: html`<b class="pair-named" data-tint="1">B</b>`,
+};
+
 export function distanceSections(context: Context, found: Explanation | null): TemplateResult {
   const words = context.language.words.value;
-  const label = words.t('pair.distance');
+  const { t } = words;
+  const label = t('pair.distance');
   if (!found) return section({ label, body: html`<p class="pair-note">${missing(context)}</p>` });
   const { number, rank } = distanceText(context, found);
-  return section({
-    label,
-    body: html`<p class="pair-distance"><b>${number}</b> <span>${rank}</span></p>`,
-  });
+  const distance = html`<p class="pair-distance"><b>${number}</b> <span>${rank}</span></p>
+    ${whySentence(words, found, names)}`;
+  if (found.sentence.kind === 'same') return section({ label, body: distance });
+  const body = html`<div class="pair-parts">
+    ${paintedBody(words, found.partShares)} ${partList(words, found.partShares)}
+  </div>`;
+  return html`
+    ${section({ label, body: distance })}
+    ${section({ label: t('pair.twelve'), beside: t('pair.twelve.share'), body: componentBars(words, found.shares) })}
+    ${section({ label: t('pair.parts'), body })}
+  `;
 }
 
 function missing({ store, language }: Context): string {

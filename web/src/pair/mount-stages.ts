@@ -4,8 +4,8 @@ import type { Context } from '../app/context';
 import { element } from '../common/element';
 import { follow, mount } from '../common/mount';
 import { performerLetter } from '../figure/performer-letter';
-import type { Stage, StageProps } from '../stage';
-import { loadStage } from '../study/load-stage';
+import type { Look, Stage, StageProps } from '../stage';
+import { loadStage, type LoadedStage } from '../study/load-stage';
 import type { StageSettings } from '../study/mount-stage';
 import { watchCorners } from '../study/watch-corners';
 import type { PairState } from './pair-state';
@@ -35,6 +35,7 @@ export function mountStages(
   );
   effect(() => sources.keep(state.clips.value));
   follow(() => place.classList.toggle('superposed', superposed.value));
+  const stages: StageSignal[] = [];
   for (const index of [0, 1] as const) {
     const scene = computed(() =>
       sceneOf(
@@ -48,7 +49,9 @@ export function mountStages(
         sources,
       ),
     );
-    mountOne(place, index, { context, state, settings, scene });
+    // Who turns one figure sees the other from there too.
+    const onLook = (look: Look): void => stages[1 - index]?.peek()?.lookFrom(look);
+    stages.push(mountOne(place, index, { context, state, settings, scene, onLook }));
   }
 }
 
@@ -71,22 +74,25 @@ interface Parts {
   readonly state: PairState;
   readonly settings: StageSettings;
   readonly scene: ReadonlySignal<StageScene>;
+  readonly onLook: (look: Look) => void;
 }
 
-function mountOne(place: HTMLElement, index: 0 | 1, parts: Parts): void {
-  const { context, state, settings, scene } = parts;
+function mountOne(place: HTMLElement, index: 0 | 1, parts: Parts): StageSignal {
+  const { context, state, settings, scene, onLook } = parts;
   const section = element('section', 'stage pair-stage');
   const figure = element('div', 'stage-figure');
   const overlay = element('div', 'stage-overlay');
   section.append(figure, overlay);
   place.append(section);
   const chosen = signal(0);
-  const { stage, trouble, loadAgain } = loadStage(figure, context.store, {
+  const loaded = loadStage(figure, context.store, {
     ...firstProps(context, settings),
+    onLook,
     onChoose: (performer) => {
       chosen.value = performer;
     },
   });
+  const { stage } = loaded;
   const shown = computed((): ShownClip | null => {
     const { places } = scene.value;
     const clip = places[Math.min(chosen.value, places.length - 1)];
@@ -100,6 +106,17 @@ function mountOne(place: HTMLElement, index: 0 | 1, parts: Parts): void {
   showLook(section, stage, index, context);
   showKeyposes(stage, shown, context, state);
   showTrails(stage, shown, context, state);
+  showWords(overlay, index, parts, loaded);
+  keepCorners(overlay, stage);
+  return stage;
+}
+
+function showWords(
+  overlay: HTMLElement,
+  index: 0 | 1,
+  { context, state }: Parts,
+  { stage, trouble, loadAgain }: LoadedStage,
+): void {
   mount(overlay, () =>
     stageOverlay({
       ...stageWords(index, context, state, trouble.value),
@@ -110,7 +127,6 @@ function mountOne(place: HTMLElement, index: 0 | 1, parts: Parts): void {
       },
     }),
   );
-  keepCorners(overlay, stage);
 }
 
 /** Tags stay away from the caption. */

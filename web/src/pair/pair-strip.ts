@@ -47,7 +47,7 @@ interface Card {
 }
 
 export class PairStrip {
-  private readonly root = element('div', 'pair-strip');
+  private readonly root = element('div', 'pair-cards');
   private readonly cards = new Map<number, Card>();
   private figures = new Map<number, FlatFigure>();
   private figuresOf: unknown = null;

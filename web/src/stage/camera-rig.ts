@@ -2,7 +2,15 @@
 import { PerspectiveCamera } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { FollowPoint } from './follow';
-import { eased, type Framing, LENS_DEGREES, mixViews, shortestTurn, type View } from './view';
+import {
+  eased,
+  type Framing,
+  LENS_DEGREES,
+  type Look,
+  mixViews,
+  shortestTurn,
+  type View,
+} from './view';
 
 const CAMERA_MS = 240;
 const NEAREST = 0.5;
@@ -20,6 +28,8 @@ export interface CameraEvents {
   onMove(): void;
   /** The user turned the camera away from where it was put. */
   onTurn(): void;
+  /** The user looks from there now. */
+  onLook(look: Look): void;
 }
 
 const noView = (): View => ({
@@ -91,6 +101,15 @@ export class CameraRig {
     this.to.yawRad += byRad;
     this.progress = animated ? 0 : 1;
     if (!animated) this.apply(this.to);
+    this.events.onMove();
+  }
+
+  /** Looks at what it looks at from elsewhere, as another camera does. */
+  lookFrom({ yawRad, elevationRad, distance }: Look): void {
+    this.stopMove();
+    this.readView(this.now);
+    Object.assign(this.now, { yawRad, elevationRad, distance });
+    this.apply(this.now);
     this.events.onMove();
   }
 
@@ -189,6 +208,7 @@ export class CameraRig {
     const turned = Math.abs(shortestTurn(this.placedYaw, this.now.yawRad)) > SAME_ANGLE_RAD;
     const tilted = Math.abs(this.placedElevation - this.now.elevationRad) > SAME_ANGLE_RAD;
     this.events.onMove();
+    this.events.onLook(this.now);
     if (turned || tilted) this.events.onTurn();
   };
 

@@ -10,7 +10,7 @@ import type { StageMetrics, StageProps } from './stage-props';
 import { StageScene } from './stage-scene';
 import { StageTags } from './stage-tags';
 import { uniformVectors } from './uniform-count';
-import { type Framing, framing, presetView, type ViewPreset } from './view';
+import { type Framing, framing, type Look, presetView, type ViewPreset } from './view';
 
 const MOST_PIXEL_RATIO = 2;
 /** The time that a frame after a rest stands for. */
@@ -86,7 +86,11 @@ export class Drawing {
     this.renderer = renderer;
     this.props = props;
     this.preset = props.view;
-    this.rig = new CameraRig(canvas, { onMove: this.requestDraw, onTurn: this.onTurn });
+    this.rig = new CameraRig(canvas, {
+      onMove: this.requestDraw,
+      onTurn: this.onTurn,
+      onLook: (look) => this.props.onLook?.(look),
+    });
     canvas.addEventListener('mousedown', keepFocus);
     canvas.addEventListener('webglcontextlost', this.onLost);
     canvas.addEventListener('webglcontextrestored', this.onRestored);
@@ -153,6 +157,10 @@ export class Drawing {
   turn(): void {
     this.rig.turn(Math.PI / 2, !this.props.reducedMotion);
     this.onTurn();
+  }
+
+  lookFrom(look: Look): void {
+    this.rig.lookFrom(look);
   }
 
   /** Shows and draws a frame at once: for measurements. */

@@ -2,7 +2,7 @@
 import type { Theme } from './palette';
 import type { StagePerformer } from './figure-set';
 import type { Corners } from './tag-layout';
-import type { ViewPreset } from './view';
+import type { Look, ViewPreset } from './view';
 
 export type StageFailure = 'no-webgl2' | 'context-lost';
 
@@ -59,6 +59,8 @@ export interface StageProps {
   readonly performerName?: (performer: number) => string;
   /** null: the user turned the camera away from the preset. */
   readonly onViewChange?: (view: ViewPreset | null) => void;
+  /** The user looks from there now. */
+  readonly onLook?: (look: Look) => void;
   readonly onFailure?: (reason: StageFailure) => void;
   /** The lost context is back and the stage draws again. */
   readonly onRecovery?: () => void;

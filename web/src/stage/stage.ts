@@ -3,7 +3,7 @@ import './stage.css';
 import { createDrawing, type Drawing, noMetrics } from './drawing';
 import type { Frames } from './figure-set';
 import type { StageMetrics, StageProps } from './stage-props';
-import type { ViewPreset } from './view';
+import type { Look, ViewPreset } from './view';
 
 /**
  * A view: `update` changes properties, `show` asks for a frame, `destroy` ends it. Nothing is drawn
@@ -43,6 +43,11 @@ export class Stage {
   /** Turns the view around the figures by a quarter. */
   turn(): void {
     this.drawing?.turn();
+  }
+
+  /** Looks from where another stage's camera does. */
+  lookFrom(look: Look): void {
+    this.drawing?.lookFrom(look);
   }
 
   /** Shows and draws a frame at once, not with the browser's next: for measurements. */

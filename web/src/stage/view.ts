@@ -12,6 +12,9 @@ export interface View {
   targetZ: number;
 }
 
+/** From where around its target a camera looks, and how far away. */
+export type Look = Pick<View, 'yawRad' | 'elevationRad' | 'distance'>;
+
 /** Vertical field of view: a long lens, which keeps limbs in proportion. */
 export const LENS_DEGREES = 23;
 

@@ -1,0 +1,186 @@
+/** The pair page: two clips and more on one clock, by start, by keypose, along a path; with keys alone. */
+import type { Locator, Page } from '@playwright/test';
+import type { AppPage } from './support/app-page';
+import { watchDrawing } from './support/drawn';
+import { sampleFiles, sampleText, temporaryFolder, writeFiles } from './support/motions';
+import { expect, test } from './support/test';
+
+const walk = 'walk-hik-30';
+const run = 'run-hik-30';
+
+async function openPair(app: AppPage, ...paths: string[]): Promise<void> {
+  await app.openWith(...paths);
+  await showPage(app.page, 'Pair');
+}
+
+async function showPage(page: Page, name: string): Promise<void> {
+  await page.locator('.page-tab', { hasText: name }).click();
+}
+
+/** The times of A and B by the transport, in seconds. */
+async function times(page: Page): Promise<number[]> {
+  const texts = await page.locator('.pair-clock .clock-time').allInnerTexts();
+  return texts.map(Number);
+}
+
+const expectTimes = (page: Page, a: number, b: number) =>
+  expect.poll(() => times(page)).toEqual([a, b]);
+
+const clipButton = (page: Page, which: 'a' | 'b' | 'more'): Locator =>
+  page.locator(`[popovertarget="pair-clip-${which}"]`);
+
+/** The time of a card of A's or B's strip. */
+async function cardTime(page: Page, clip: 0 | 1, keypose: number): Promise<number> {
+  const card = page.locator('.pair-cards').nth(clip).locator('.pair-card').nth(keypose);
+  return Number((await card.innerText()).trim().split(/\s+/)[1]);
+}
+
+test('the open clip and another are shown on one clock, moved by the keys of the study', async ({
+  app,
+  page,
+}) => {
+  await openPair(app, ...sampleFiles(walk, run));
+  await expect(clipButton(page, 'a')).toHaveText(/A\s*walk-hik-30/);
+  await expect(clipButton(page, 'b')).toHaveText(/B\s*run-hik-30/);
+  await page.getByRole('button', { name: 'Start', exact: true }).click();
+  await expectTimes(page, 0, 0);
+  await page.keyboard.press('ArrowRight');
+  await expectTimes(page, 0.03, 0.03);
+  await page.keyboard.press('Shift+ArrowRight');
+  await expectTimes(page, 0.13, 0.13);
+  await page.keyboard.press('k');
+  const first = await cardTime(page, 0, 0);
+  await expect.poll(async () => (await times(page))[0]).toBe(first);
+  await page.keyboard.press('End');
+  const ends = await times(page);
+  const slider = page.locator('.pair-slider');
+  const spoken = `${ends[0]?.toFixed(2)} seconds of A, ${ends[1]?.toFixed(2)} seconds of B`;
+  await expect(slider).toHaveAttribute('aria-valuetext', spoken);
+  await page.keyboard.press('Home');
+  await page.keyboard.press('Space');
+  await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible();
+  await expect.poll(async () => (await times(page))[1]).toBeGreaterThan(0.2);
+  await page.keyboard.press('Space');
+  await expect(app.button('Play')).toBeVisible();
+});
+
+test('by keypose the clips meet where they are, or where a card is chosen', async ({
+  app,
+  page,
+}) => {
+  await openPair(app, ...sampleFiles(walk, run));
+  await page.getByRole('button', { name: 'Keypose', exact: true }).click();
+  await page.locator('.pair-cards').nth(0).locator('.pair-card').nth(1).click();
+  const a = await cardTime(page, 0, 1);
+  await expectTimes(page, a, await cardTime(page, 1, 0));
+  await page.locator('.pair-cards').nth(1).locator('.pair-card').nth(2).click();
+  await expectTimes(page, a, await cardTime(page, 1, 2));
+});
+
+test('a press and a drag on the rows lead the time of the clip that they are', async ({
+  app,
+  page,
+}) => {
+  await openPair(app, ...sampleFiles(walk, run));
+  await page.getByRole('button', { name: 'Start', exact: true }).click();
+  const box = (await page.locator('.pair-area').boundingBox())!;
+  const x = (part: number): number => box.x + part * box.width;
+  await page.mouse.move(x(0.2), box.y + 110);
+  await page.mouse.down();
+  const pressed = await times(page);
+  expect(pressed[0]).toBeGreaterThan(0);
+  await page.mouse.move(x(0.3), box.y + 110, { steps: 4 });
+  await page.mouse.up();
+  const dragged = await times(page);
+  expect(dragged[0]).toBeGreaterThan(pressed[0]!);
+  expect(dragged[1]).toBeCloseTo(dragged[0]!, 1);
+  await page.mouse.move(x(0.5), box.y + 210);
+  await expect(page.locator('.pair-twin[d]')).toHaveCount(1);
+});
+
+test('study and pair hand A’s moment to each other', async ({ app, page }) => {
+  await app.openWith(...sampleFiles(walk, run));
+  for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight');
+  await app.expectFrame(6);
+  await showPage(page, 'Pair');
+  await expect.poll(async () => (await times(page))[0]).toBe(0.2);
+  await page.keyboard.press('ArrowRight');
+  await showPage(page, 'Study');
+  await app.expectFrame(7);
+});
+
+test('clips are chosen, swapped and added by keys; a third one is superposed', async ({
+  app,
+  page,
+}) => {
+  const third = 'slow-dance-hik-30';
+  await openPair(app, ...sampleFiles(walk, run, third));
+  await clipButton(page, 'b').focus();
+  await page.keyboard.press('Enter');
+  const list = page.locator('#pair-clip-b');
+  await expect(list.getByRole('searchbox')).toBeFocused();
+  await page.keyboard.type('slow');
+  await expect(list.locator('.pair-list-row')).toHaveCount(1);
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  await expect(clipButton(page, 'b')).toHaveText(/B\s*slow-dance-hik-30/);
+  await app.button('Swap A and B').click();
+  await expect(clipButton(page, 'a')).toHaveText(/A\s*slow-dance-hik-30/);
+  await expect(clipButton(page, 'b')).toHaveText(/B\s*walk-hik-30/);
+  await clipButton(page, 'more').click();
+  await page.locator('#pair-clip-more .pair-list-row', { hasText: run }).click();
+  await expect(clipButton(page, 'more')).toHaveText('+1');
+  await expect(app.button('Superposed')).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.locator('.pair-plate')).toHaveCount(3);
+  await page.locator('#pair-clip-more .pair-list-row', { hasText: run }).click();
+  await page.keyboard.press('Escape');
+  await app.button('Side by side').click();
+  await expect(page.locator('.pair-plate')).toHaveCount(2);
+});
+
+test('one clip alone asks for another', async ({ app, page }) => {
+  await openPair(app, ...sampleFiles(walk));
+  await expect(page.locator('.stage-sentence:visible').last()).toContainText(
+    'Choose a second clip',
+  );
+  await expect(page.locator('.pair-rows')).toBeHidden();
+  await app.drop(...sampleFiles(run));
+  await expect(page.locator('.pair-rows')).toBeVisible();
+});
+
+test.describe('drawn', () => {
+  // Drawn by software: a small stage, and time.
+  test.use({ viewport: { width: 1040, height: 640 }, deviceScaleFactor: 1 });
+  test.setTimeout(120_000);
+
+  test('twenty clips of other rates stand on one stage within thirty draw calls', async ({
+    app,
+    page,
+  }) => {
+    const drawn = await watchDrawing(page);
+    const text = sampleText(walk);
+    const names = Array.from({ length: 20 }, (_, i) => `clip-${String(i).padStart(2, '0')}.bvh`);
+    const slower = (i: number): string =>
+      text.replace(
+        /Frame Time: *([\d.]+)/,
+        (_, time) => `Frame Time: ${Number(time) * (1 + i / 10)}`,
+      );
+    const files = Object.fromEntries(names.map((name, i) => [name, slower(i)]));
+    await app.open('');
+    await app.drop(...writeFiles(temporaryFolder(), files));
+    await app.settled();
+    await showPage(page, 'Pair');
+    await clipButton(page, 'more').click();
+    const rows = page.locator('#pair-clip-more .pair-list-row');
+    for (let i = 0; i < 20; i++)
+      if ((await rows.nth(i).getAttribute('aria-pressed')) === 'false') await rows.nth(i).click();
+    await expect(clipButton(page, 'more')).toHaveText('+18');
+    await page.keyboard.press('Escape');
+    await page.getByRole('button', { name: 'Start', exact: true }).click();
+    await expect(page.locator('.stage-tag.letter:visible')).toHaveCount(20);
+    for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+ArrowRight');
+    await expect.poll(async () => (await drawn()).calls).toBeGreaterThanOrEqual(22);
+    expect((await drawn()).calls).toBeLessThanOrEqual(30);
+    expect((await drawn()).uniformVectors).toBeLessThanOrEqual(224);
+  });
+});
