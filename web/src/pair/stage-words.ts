@@ -19,7 +19,7 @@ export function stageWords(
   const { store, language } = context;
   const superposed = store.compare.superposed.value;
   const clips = state.clips.value;
-  const shown = superposed ? clips : clips.filter((_, place) => place === index);
+  const shown = clips.filter((_, place) => (superposed ? index === 0 : place === index));
   const drawing = shown.length > 0 && (trouble === null || trouble === 'too-large');
   return {
     words: language.words.value,
