@@ -12,15 +12,20 @@ use bench::vectors::{WIDTH, heaped};
 use comparison::condensed::Condensed;
 use comparison::cut::bic::bic;
 use comparison::distance::euclidean;
+use comparison::distances::Distances;
 use comparison::feature::Vector;
 use comparison::leaf_order::optimal;
 use comparison::linkage::{group_average, ward};
 use comparison::map::of_vectors;
+use comparison::picture::{Picture, PictureRun, Region};
 use motion::report::json::Json;
 
 const USAGE: &str = "comparison vectors COUNT FILE
 comparison kodama|keypose ward|average COUNT
 comparison stages COUNT RUNS";
+
+/// Rows and columns of the picture of a large matrix.
+const PIXELS: usize = 1024;
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();
@@ -83,14 +88,32 @@ fn stages(count: &str, runs: &str) -> Option<String> {
     let runs = runs.parse().ok()?;
     let tree = ward(&vectors);
     let between = |a: usize, b: usize| euclidean(&vectors[a], &vectors[b]);
+    let distances = Distances::of_vectors(vectors.clone());
+    let leaves = optimal(&tree, &between).leaves;
     let each = |work: &dyn Fn()| Json::list((0..runs).map(|_| once(work).1));
     let found = Json::object([
         ("ward", each(&|| drop(black_box(ward(&vectors))))),
         ("order", each(&|| drop(black_box(optimal(&tree, &between))))),
         ("clusters", each(&|| drop(black_box(bic(&vectors, &tree))))),
+        (
+            "picture",
+            each(&|| drop(black_box(picture(&distances, &leaves)))),
+        ),
         ("map", each(&|| drop(black_box(of_vectors(&vectors))))),
     ]);
     Some(found.text())
+}
+
+/// The whole matrix, as the app draws it.
+fn picture(distances: &Distances, leaves: &[usize]) -> Picture {
+    let region = Region {
+        rows: leaves.to_vec(),
+        columns: leaves.to_vec(),
+        most: PIXELS,
+    };
+    let mut run = PictureRun::new(distances, region);
+    while run.step(distances, usize::MAX) < 1.0 {}
+    run.finish()
 }
 
 fn vectors_of(count: &str) -> Option<Vec<Vector>> {
