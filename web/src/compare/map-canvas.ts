@@ -2,6 +2,7 @@
 import { prepareCanvas } from '../timeline/canvas';
 import type { ComparePalette } from './compare-palette';
 import { convexHull, type Point } from './hull';
+import { middleMember, type Anchor } from './map-layout';
 import { shapePath } from './label-shape';
 import { markLook } from './mark-tag';
 import type { Scene } from './scene';
@@ -13,8 +14,6 @@ export interface MapDrawing {
   readonly points: readonly Point[];
   readonly width: number;
   readonly height: number;
-  readonly selected: ItemPair;
-  readonly hovered: ItemPair | null;
 }
 
 const hullWidthPx = 24;
@@ -31,98 +30,45 @@ export function membersOf({ cut, count }: Scene): readonly (readonly number[])[]
   return members;
 }
 
+export interface ClusterAnchor extends Anchor {
+  readonly item: number;
+}
+
+/** Of the largest clusters the member in the middle, and the corners around all of them. */
+export function clusterAnchors(
+  scene: Scene,
+  points: readonly Point[],
+  most: number,
+): readonly ClusterAnchor[] {
+  return membersOf(scene)
+    .filter((members) => members.length > 0)
+    .sort((a, b) => b.length - a.length)
+    .slice(0, most)
+    .map((members) => {
+      const item = middleMember(members, scene.comparison.map);
+      return { item, at: points[item], hull: convexHull(members.map((other) => points[other])) };
+    });
+}
+
 export function hullPathOf(corners: readonly Point[]): string {
   const [first, ...others] = corners.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`);
   return others.length > 0 ? `M${first}L${others.join('L')}z` : `M${first}h.01`;
 }
 
-/** Discs drawn once by label: thousands are then copied. */
-class Sprites {
-  private readonly made = new Map<number, HTMLCanvasElement>();
-  readonly size: number;
-
-  constructor(
-    private readonly palette: ComparePalette,
-    private readonly radius: number,
-    private readonly ratio: number,
-  ) {
-    this.size = 2 * (radius * 1.3 + 2);
-  }
-
-  of(label: number): HTMLCanvasElement {
-    const known = this.made.get(label);
-    if (known) return known;
-    const sprite = document.createElement('canvas');
-    sprite.width = sprite.height = Math.ceil(this.size * this.ratio);
-    const context = sprite.getContext('2d');
-    if (context) {
-      context.scale(this.ratio, this.ratio);
-      drawMark(context, this.palette, label, this.size / 2, this.radius);
-    }
-    this.made.set(label, sprite);
-    return sprite;
-  }
+/** In its size on the page, cleared. */
+export function contextOf(
+  canvas: HTMLCanvasElement,
+  { width, height }: { readonly width: number; readonly height: number },
+): CanvasRenderingContext2D | null {
+  canvas.style.width = `${width}px`;
+  canvas.style.height = `${height}px`;
+  return prepareCanvas(canvas, width, height);
 }
 
-function drawMark(
-  context: CanvasRenderingContext2D,
-  palette: ComparePalette,
-  label: number,
-  middle: number,
-  radius: number,
-): void {
-  const { shape, colour, open } = markLook(palette, label);
-  const path = new Path2D(shapePath(shape, middle, middle, radius));
-  context.strokeStyle = palette.panel;
-  context.lineWidth = 2.4;
-  context.stroke(path);
-  context.fillStyle = open ? palette.panel : colour;
-  context.fill(path);
-  if (!open) return;
-  context.strokeStyle = colour;
-  context.lineWidth = 1.5;
-  context.stroke(path);
-}
-
-export class MapCanvas {
-  readonly canvas = document.createElement('canvas');
-  private sprites: { key: string; sprites: Sprites } | null = null;
-
-  draw(drawing: MapDrawing): void {
-    const context = prepareCanvas(this.canvas, drawing.width, drawing.height);
-    if (!context) return;
-    this.canvas.style.width = `${drawing.width}px`;
-    this.canvas.style.height = `${drawing.height}px`;
-    drawHulls(context, drawing);
-    drawLine(context, drawing);
-    this.drawDiscs(context, drawing);
-    drawRings(context, drawing);
-  }
-
-  private drawDiscs(context: CanvasRenderingContext2D, drawing: MapDrawing): void {
-    const { scene, palette, points, width, height } = drawing;
-    const sprites = this.spritesFor(palette, discRadius(scene.count));
-    const half = sprites.size / 2;
-    points.forEach(([x, y], item) => {
-      if (x < -half || y < -half || x > width + half || y > height + half) return;
-      const sprite = sprites.of(scene.labelOfItem[item]);
-      context.drawImage(sprite, x - half, y - half, sprites.size, sprites.size);
-    });
-  }
-
-  private spritesFor(palette: ComparePalette, radius: number): Sprites {
-    const ratio = window.devicePixelRatio;
-    const key = [radius, ratio, palette.panel, ...palette.labels].join();
-    if (this.sprites?.key !== key)
-      this.sprites = { key, sprites: new Sprites(palette, radius, ratio) };
-    return this.sprites.sprites;
-  }
-}
-
-function drawHulls(
-  context: CanvasRenderingContext2D,
-  { scene, palette, points }: MapDrawing,
-): void {
+export function drawHulls(canvas: HTMLCanvasElement, drawing: MapDrawing): void {
+  const { scene, palette, points } = drawing;
+  const context = contextOf(canvas, drawing);
+  if (!context) return;
   context.lineJoin = context.lineCap = 'round';
   // Fill and outline together, so that they do not add up where they overlap.
   context.fillStyle = context.strokeStyle = hullColour(palette);
@@ -142,19 +88,22 @@ export function hullColour({ panel, inkParts }: ComparePalette): string {
   return `rgb(${ground.map((byte, k) => Math.round(byte * 0.96 + ink[k] * 0.04)).join(' ')})`;
 }
 
-function drawLine(context: CanvasRenderingContext2D, drawing: MapDrawing): void {
-  const { a, b } = drawing.selected;
-  if (a === null || b === null) return;
-  context.strokeStyle = drawing.palette.kp;
-  context.lineWidth = 1.5;
-  context.beginPath();
-  context.moveTo(...drawing.points[a]);
-  context.lineTo(...drawing.points[b]);
-  context.stroke();
-}
-
-function drawRings(context: CanvasRenderingContext2D, drawing: MapDrawing): void {
-  const { selected, hovered, points, palette } = drawing;
+/** Over the discs: the pair's line, and rings around what is selected and hovered. */
+export function drawMarks(
+  canvas: HTMLCanvasElement,
+  drawing: MapDrawing & { readonly selected: ItemPair; readonly hovered: ItemPair | null },
+): void {
+  const context = contextOf(canvas, drawing);
+  if (!context) return;
+  const { selected, hovered, points, palette, scene } = drawing;
+  drawLine(context, drawing, selected);
+  for (const item of [selected.a, selected.b])
+    if (item !== null) {
+      context.save();
+      context.translate(...points[item]);
+      drawMark(context, palette, scene.labelOfItem[item], discRadius(scene.count));
+      context.restore();
+    }
   const ring = (item: number | null, colour: string, width: number): void => {
     if (item === null) return;
     context.strokeStyle = colour;
@@ -165,4 +114,38 @@ function drawRings(context: CanvasRenderingContext2D, drawing: MapDrawing): void
   };
   if (hovered) for (const item of [hovered.a, hovered.b]) ring(item, palette.ink, 1);
   for (const item of [selected.a, selected.b]) ring(item, palette.kp, 2);
+}
+
+function drawLine(
+  context: CanvasRenderingContext2D,
+  { points, palette }: MapDrawing,
+  { a, b }: ItemPair,
+): void {
+  if (a === null || b === null) return;
+  context.strokeStyle = palette.kp;
+  context.lineWidth = 1.5;
+  context.beginPath();
+  context.moveTo(...points[a]);
+  context.lineTo(...points[b]);
+  context.stroke();
+}
+
+/** A disc at the origin. */
+export function drawMark(
+  context: CanvasRenderingContext2D,
+  palette: ComparePalette,
+  label: number,
+  radius: number,
+): void {
+  const { shape, colour, open } = markLook(palette, label);
+  const path = new Path2D(shapePath(shape, 0, 0, radius));
+  context.strokeStyle = palette.panel;
+  context.lineWidth = 2.4;
+  context.stroke(path);
+  context.fillStyle = open ? palette.panel : colour;
+  context.fill(path);
+  if (!open) return;
+  context.strokeStyle = colour;
+  context.lineWidth = 1.5;
+  context.stroke(path);
 }

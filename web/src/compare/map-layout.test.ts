@@ -67,7 +67,10 @@ test('figures cover neither discs nor each other', () => {
     [104, 52],
   ];
   const size = { width: 40, height: 40 };
-  const figures = placeFigures(points, { room, ...size, points, radius: 5, taken: [] });
+  const figures = placeFigures(
+    points.map((at) => ({ at, hull: [at] })),
+    { room, ...size, points, radius: 5, taken: [] },
+  );
   const [first, second] = figures as [Point, Point];
   expect(Math.max(Math.abs(first[0] - second[0]), Math.abs(first[1] - second[1]))).toBeGreaterThan(
     39.9,
@@ -77,10 +80,24 @@ test('figures cover neither discs nor each other', () => {
       expect(Math.max(Math.abs(x - point[0]), Math.abs(y - point[1]))).toBeGreaterThan(24.9);
 });
 
+test('a figure stands beside the hull of its cluster, not within', () => {
+  const hull: Point[] = [
+    [60, 20],
+    [140, 20],
+    [140, 80],
+    [60, 80],
+  ];
+  const wide = { left: -200, top: -200, right: 400, bottom: 400 };
+  const figures = { room: wide, width: 20, height: 20, points: hull, radius: 5, taken: [] };
+  const [place] = placeFigures([{ at: [100, 50], hull }], figures);
+  const [x, y] = place as Point;
+  expect(x < 50 || x > 150 || y < 10 || y > 90).toBe(true);
+});
+
 test('where there is no room there is no figure', () => {
   const small = { left: 0, top: 0, right: 30, bottom: 30 };
   const figures = { room: small, width: 40, height: 40, points: [], radius: 5, taken: [] };
-  expect(placeFigures([[10, 10]], figures)).toEqual([null]);
+  expect(placeFigures([{ at: [10, 10], hull: [] }], figures)).toEqual([null]);
 });
 
 test('an arrow key goes to the nearest clip in its direction', () => {

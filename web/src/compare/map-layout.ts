@@ -90,7 +90,10 @@ export interface FigureRoom {
 }
 
 const angles = 24;
-const reachesPx = [32, 40, 50, 62, 76];
+/** From the edge of the hull to the figure. */
+const marginsPx = [14, 22, 34, 50, 70];
+/** In between the discs, where there is no room around them. */
+const reachesPx = [32, 44, 58];
 
 const around = ([x, y]: Point, width: number, height: number): Box => ({
   left: x - width / 2,
@@ -99,29 +102,47 @@ const around = ([x, y]: Point, width: number, height: number): Box => ({
   bottom: y + height / 2,
 });
 
-/** Places around an anchor, the nearest first, in each round first those that lead out of the middle. */
-function candidates(anchor: Point, room: Box): Point[] {
-  const outward = Math.atan2(
-    anchor[1] - (room.top + room.bottom) / 2,
-    anchor[0] - (room.left + room.right) / 2,
-  );
-  const turns = Array.from({ length: angles }, (_, k) => (k % 2 ? -1 : 1) * Math.ceil(k / 2));
-  return reachesPx.flatMap((reach) =>
-    turns.map((turn): Point => {
-      const angle = outward + (turn * 2 * Math.PI) / angles;
-      return [anchor[0] + reach * Math.cos(angle), anchor[1] + reach * Math.sin(angle)];
-    }),
-  );
+export interface Anchor {
+  readonly at: Point;
+  /** Corners of the discs that the figure stands for. */
+  readonly hull: readonly Point[];
+}
+
+/** How far the hull reaches from its anchor in a direction. */
+const reachOf = ({ at, hull }: Anchor, [wayX, wayY]: Point): number =>
+  hull.reduce((most, [x, y]) => Math.max(most, (x - at[0]) * wayX + (y - at[1]) * wayY), 0);
+
+/** Places around a hull, the nearest to its anchor first, and of equals those that lead out of the middle. */
+function candidates(anchor: Anchor, { room, width, height }: FigureRoom): Point[] {
+  const [x, y] = anchor.at;
+  const outward = Math.atan2(y - (room.top + room.bottom) / 2, x - (room.left + room.right) / 2);
+  const outside: { reach: number; at: Point }[] = [];
+  const among: Point[] = [];
+  for (let k = 0; k < angles; k += 1) {
+    const turn = (k % 2 ? -1 : 1) * Math.ceil(k / 2);
+    const angle = outward + (turn * 2 * Math.PI) / angles;
+    const way: Point = [Math.cos(angle), Math.sin(angle)];
+    const half = Math.abs(way[0]) * (width / 2) + Math.abs(way[1]) * (height / 2);
+    const place = (reach: number): Point => [x + reach * way[0], y + reach * way[1]];
+    for (const margin of marginsPx) {
+      const reach = reachOf(anchor, way) + half + margin;
+      outside.push({ reach: reach + Math.abs(turn), at: place(reach) });
+    }
+    among.push(...reachesPx.map(place));
+  }
+  outside.sort((a, b) => a.reach - b.reach);
+  return [...outside.map(({ at }) => at), ...among];
 }
 
 /** Middles of a figure beside each anchor that cover neither discs nor each other; null: no room. */
 export function placeFigures(
-  anchors: readonly Point[],
-  { room, width, height, points, radius, taken }: FigureRoom,
+  anchors: readonly Anchor[],
+  figures: FigureRoom,
 ): readonly (Point | null)[] {
+  const { room, width, height, points, radius, taken } = figures;
   const boxes = [...taken];
   return anchors.map((anchor) => {
-    const free = candidates(anchor, room).find((middle) => {
+    const free = candidates(anchor, figures).find((middle) => {
       const box = around(middle, width, height);
       if (!within(box, room) || boxes.some((other) => overlaps(box, other))) return false;
       return !points.some((point) => overlaps(box, around(point, 2 * radius, 2 * radius)));

@@ -4,18 +4,36 @@ import { fitFigure, limbPath } from '../figure/draw-flat-figure';
 import { rgbOf } from './colour-scale';
 import type { ComparePalette } from './compare-palette';
 import { convexHull, type Point } from './hull';
-import { discRadius, hullColour, hullPathOf, membersOf } from './map-canvas';
-import { fitMap, middleMember, onScreen, placeFigures } from './map-layout';
+import { clusterAnchors, discRadius, hullColour, hullPathOf, membersOf } from './map-canvas';
+import { fitMap, onScreen, placeFigures, type Box } from './map-layout';
 import { legendTags, markTag } from './mark-tag';
 import type { PictureParts } from './matrix-picture';
 import type { Scene } from './scene';
 import { svgSheet, tag, textTag } from './svg-text';
 
-const sheetPx = { width: 880, height: 680 };
-const room = { left: 70, top: 90, right: 810, bottom: 590 };
-const figureRoom = { left: 4, top: 40, right: 876, bottom: 640 };
+const widthPx = 880;
+const margins = { left: 90, top: 110, right: 90, bottom: 130 };
+const figureMargins = { left: 4, top: 40, right: 4, bottom: 40 };
+const leastHeightPx = 420;
 const figurePx = { width: 66, height: 72 };
 const mostFigures = 14;
+
+const inside = (height: number, by: Box): Box => ({
+  left: by.left,
+  top: by.top,
+  right: widthPx - by.right,
+  bottom: height - by.bottom,
+});
+
+/** As high as the map is at the full width, within reason. */
+function sheetHeight(map: Float64Array): number {
+  const square = fitMap(map, { left: 0, top: 0, right: 1, bottom: 1e9 });
+  const ys = map.filter((_, k) => k % 2 === 1);
+  const high =
+    ys.length > 0 ? ys.reduce((a, b) => Math.max(a, b)) - ys.reduce((a, b) => Math.min(a, b)) : 0;
+  const wanted = (widthPx - margins.left - margins.right) * square.scale * high;
+  return Math.max(leastHeightPx, Math.min(widthPx, wanted + margins.top + margins.bottom));
+}
 
 export function svgOfMap(
   parts: PictureParts,
@@ -23,7 +41,8 @@ export function svgOfMap(
 ): string {
   const { scene, palette, words } = parts;
   const { map, spread } = scene.comparison;
-  const transform = fitMap(map, room);
+  const height = sheetHeight(map);
+  const transform = fitMap(map, inside(height, margins));
   const points = Array.from({ length: scene.count }, (_, item) =>
     onScreen(transform, [map[2 * item], map[2 * item + 1]]),
   );
@@ -35,10 +54,10 @@ export function svgOfMap(
   const content =
     hullTags(scene, palette, points) +
     discs.join('') +
-    figureTags(scene, palette, points, figureOf) +
+    figureTags(scene, palette, points, height, figureOf) +
     textTag(title, heading) +
-    legendTags(palette, scene.labels, new Set(scene.labelOfItem), 24, sheetPx.height - 20);
-  return svgSheet({ ...sheetPx, ground: palette.panel, title }, content);
+    legendTags(palette, scene.labels, new Set(scene.labelOfItem), 24, height - 20);
+  return svgSheet({ width: widthPx, height, ground: palette.panel, title }, content);
 }
 
 function hullTags(scene: Scene, palette: ComparePalette, points: readonly Point[]): string {
@@ -56,19 +75,14 @@ function figureTags(
   scene: Scene,
   palette: ComparePalette,
   points: readonly Point[],
+  height: number,
   figureOf: (item: number) => FlatFigure | null,
 ): string {
-  const items = membersOf(scene)
-    .filter((members) => members.length > 0)
-    .sort((a, b) => b.length - a.length)
-    .slice(0, mostFigures)
-    .map((members) => middleMember(members, scene.comparison.map));
+  const anchors = clusterAnchors(scene, points, mostFigures);
   const radius = discRadius(scene.count) + 1;
-  const places = placeFigures(
-    items.map((item) => points[item]),
-    { room: figureRoom, ...figurePx, points, radius, taken: [] },
-  );
-  const tags = items.map((item, k) => {
+  const figures = { room: inside(height, figureMargins), ...figurePx, points, radius, taken: [] };
+  const places = placeFigures(anchors, figures);
+  const tags = anchors.map(({ item }, k) => {
     const [figure, place] = [figureOf(item), places[k]];
     return figure && place ? figureTag(figure, place, palette) : '';
   });

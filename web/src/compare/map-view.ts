@@ -6,17 +6,11 @@ import { drawn, styled } from '../common/directives';
 import { element } from '../common/element';
 import { follow } from '../common/mount';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
-import { MapCanvas, discRadius, membersOf } from './map-canvas';
+import { clusterAnchors, discRadius, drawHulls, drawMarks } from './map-canvas';
+import { MapDiscs } from './map-discs';
 import { MapGlide } from './map-glide';
 import { MapInput } from './map-input';
-import {
-  fitMap,
-  middleMember,
-  onScreen,
-  placeFigures,
-  type Box,
-  type MapTransform,
-} from './map-layout';
+import { fitMap, onScreen, placeFigures, type Box, type MapTransform } from './map-layout';
 import type { Point } from './hull';
 import { PairTip, distanceDigits } from './pair-tip';
 import type { Scene } from './scene';
@@ -55,7 +49,12 @@ export class MapView {
   readonly transform = signal<MapTransform | null>(null);
   readonly state: ReadonlySignal<MapState | null>;
   private readonly size = signal({ width: 0, height: 0 });
-  private readonly canvas = new MapCanvas();
+  private readonly layers = {
+    hulls: document.createElement('canvas'),
+    discs: document.createElement('canvas'),
+    marks: document.createElement('canvas'),
+  };
+  private readonly discs = new MapDiscs();
   private readonly figures = element('div', 'map-figures');
   private readonly pill = element('div', 'map-pill');
   private readonly head = element('div', 'map-head');
@@ -72,10 +71,11 @@ export class MapView {
     this.tip = new PairTip(shared);
     this.state = computed(() => this.stateNow());
     this.input = new MapInput(shared, this.state, this.transform, () => this.fitted());
-    this.canvas.canvas.className = 'map-canvas';
-    for (const part of [this.canvas.canvas, this.figures, this.pill])
+    const layers = Object.values(this.layers);
+    for (const layer of layers) layer.className = 'map-canvas';
+    for (const part of [...layers, this.figures, this.pill])
       part.setAttribute('aria-hidden', 'true');
-    place.append(this.canvas.canvas, this.figures, this.pill, this.input.element);
+    place.append(...layers, this.figures, this.pill, this.input.element);
     place.append(this.head, this.tip.element);
     new ResizeObserver(() => {
       this.size.value = { width: place.clientWidth, height: place.clientHeight };
@@ -104,11 +104,19 @@ export class MapView {
 
   private draw(): void {
     const { palette, selected, hovered } = this.shared;
+    const { layers } = this;
     follow(() => {
       const state = this.state.value;
-      if (!state) return;
+      if (state) drawHulls(layers.hulls, { ...state, palette: palette.value });
+    });
+    follow(() => {
+      const state = this.state.value;
+      if (state) this.discs.draw(layers.discs, { ...state, palette: palette.value });
+    });
+    follow(() => {
+      const state = this.state.value;
       const marks = { selected: selected.value, hovered: hovered.value };
-      this.canvas.draw({ ...state, ...marks, palette: palette.value });
+      if (state) drawMarks(layers.marks, { ...state, ...marks, palette: palette.value });
     });
     const placed = computed(() => (this.glide.gliding.value ? [] : this.placedFigures()));
     follow(() => render(this.drawnFigures(placed.value), this.figures));
@@ -122,24 +130,17 @@ export class MapView {
     const state = this.state.value;
     if (!state) return [];
     const { scene, points, width, height } = state;
-    const clusters = membersOf(scene)
-      .filter((members) => members.length > 0)
-      .sort((a, b) => b.length - a.length)
-      .slice(0, mostFigures);
-    const anchors = clusters.map((members) => middleMember(members, scene.comparison.map));
+    const anchors = clusterAnchors(scene, points, mostFigures);
     const step = Math.ceil(points.length / mostObstacles);
     const pill = this.pillPlace();
-    const places = placeFigures(
-      anchors.map((item) => points[item]),
-      {
-        room: inside(width, height, clear),
-        ...figurePx,
-        points: points.filter((_, k) => k % step === 0),
-        radius: discRadius(scene.count) + 1,
-        taken: pill ? [pill] : [],
-      },
-    );
-    return anchors.flatMap((item, k) => {
+    const places = placeFigures(anchors, {
+      room: inside(width, height, clear),
+      ...figurePx,
+      points: points.filter((_, k) => k % step === 0),
+      radius: discRadius(scene.count) + 1,
+      taken: pill ? [pill] : [],
+    });
+    return anchors.flatMap(({ item }, k) => {
       const at = places[k];
       return at ? [{ item, at }] : [];
     });

@@ -28,6 +28,8 @@ const usual = { tree: 146, names: 58 };
 const small = { tree: 84, names: 54 };
 const narrowPx = 520;
 const mostNamesPx = 168;
+/** So much they take from the matrix if they need it. */
+const needyNamesPx = 104;
 const leastMatrixPx = 60;
 
 export interface MatrixGeometry extends Size {
@@ -62,7 +64,8 @@ function columnsOf({ kind }: Scene, size: Size, longestNamePx: number): Columns 
   const matrix = size.height - topPx - bottomPx;
   const spare = size.width - edgePx - widths.tree - widths.names - rightPx - matrix;
   const wanted = clamp(longestNamePx, widths.names, mostNamesPx);
-  const names = Math.min(wanted, widths.names + Math.max(0, spare));
+  const least = size.width < narrowPx ? widths.names : needyNamesPx;
+  const names = Math.min(wanted, Math.max(least, widths.names + spare));
   if (kind === 'tree') return { treeWidth: widths.tree, namesWidth: names };
   return { treeWidth: 0, namesWidth: clamp(longestNamePx, names, names + widths.tree) };
 }

@@ -38,6 +38,8 @@ export class MatrixGrid {
   private readonly roving: RovingCell;
   private state: GridState | null = null;
   private cell: Cell = { row: 0, column: 1 };
+  /** Where the wheel has just been turned. */
+  private pointer: { readonly clientX: number; readonly clientY: number } | null = null;
   private drag: { x: number; y: number; zoom: Zoom; moved: boolean } | null = null;
 
   constructor(
@@ -86,6 +88,13 @@ export class MatrixGrid {
     this.cell = { row: this.within(this.cell.row), column: this.within(this.cell.column) };
     this.roving.stand(this.placeOf(this.cell));
     this.tell();
+    this.hoverAgain();
+  }
+
+  private hoverAgain(): void {
+    const cell = this.pointer && this.cellAt(this.pointer);
+    if (this.pointer) hover(this.shared, cell && this.itemsOf(cell));
+    this.pointer = null;
   }
 
   private startAtSelection({ positionOfItem }: Scene): void {
@@ -179,7 +188,7 @@ export class MatrixGrid {
     if (this.state) this.setZoom(zoomedBy(this.state.geometry, factor, x, y));
   }
 
-  private cellAt({ clientX, clientY }: MouseEvent): Cell | null {
+  private cellAt({ clientX, clientY }: { clientX: number; clientY: number }): Cell | null {
     if (!this.state) return null;
     const { axis, zoom } = this.state.geometry;
     const box = this.element.getBoundingClientRect();
@@ -224,8 +233,11 @@ export class MatrixGrid {
       const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
       drag.moved ||= Math.hypot(dx, dy) > dragPx;
       const { zoom } = drag;
-      if (drag.moved) this.setZoom({ cell: zoom.cell, x: zoom.x - dx, y: zoom.y - dy });
-      if (drag.moved) return;
+      if (drag.moved) {
+        hover(this.shared, null);
+        this.setZoom({ cell: zoom.cell, x: zoom.x - dx, y: zoom.y - dy });
+        return;
+      }
     }
     const cell = this.cellAt(event);
     hover(this.shared, cell && this.itemsOf(cell));
@@ -252,5 +264,7 @@ export class MatrixGrid {
     const box = this.element.getBoundingClientRect();
     const factor = Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.002));
     this.zoomAt(factor, event.clientX - box.left, event.clientY - box.top);
+    // Another cell may be under the pointer once the zoom has been drawn.
+    this.pointer = { clientX: event.clientX, clientY: event.clientY };
   };
 }

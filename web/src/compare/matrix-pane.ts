@@ -123,10 +123,11 @@ export class MatrixPane {
     this.cells.draw({ scene, geometry, palette, font, placed, colours });
   }
 
-  private readonly scale = computed(() => {
-    const maximum = this.shared.scene.value?.comparison.legendMaximum ?? 0;
-    return new ColourScale(this.shared.palette.value.distances, maximum);
-  });
+  /** A number of its own: another cut is another scene, with the same colours. */
+  private readonly maximum = computed(() => this.shared.scene.value?.comparison.legendMaximum ?? 0);
+  private readonly scale = computed(
+    () => new ColourScale(this.shared.palette.value.distances, this.maximum.value),
+  );
 
   private coloursOf(placed: PlacedPicture): Uint32Array {
     const scale = this.scale.value;

@@ -129,7 +129,7 @@ function scaleTags({ scene, palette, words }: PictureParts, scale: ColourScale, 
   return (
     textTag(t('legend.alike'), { x: x - 8, 'text-anchor': 'end', ...look }) +
     steps.join('') +
-    textTag(`${t('legend.different')}  ${t(range, number)}`, { x: x + width + 8, ...look }) +
+    textTag(`${t('legend.different')} · ${t(range, number)}`, { x: x + width + 8, ...look }) +
     legendTags(palette, scene.labels, new Set(scene.labelOfItem), 24, height - 18)
   );
 }

@@ -4,7 +4,7 @@ import { computed, signal } from '@preact/signals-core';
 import { html, nothing, render, type TemplateResult } from 'lit-html';
 import type { Context } from '../app/context';
 import { follow, mount } from '../common/mount';
-import { clipsApart } from './apart';
+import { clipsApart, type Apart } from './apart';
 import { mountCompareBar } from './compare-bar';
 import { mountEvaluation } from './evaluation-panel';
 import { labelMark } from '../common/label-mark';
@@ -45,7 +45,8 @@ export function mountCompare(place: HTMLElement, context: Context): void {
   mountCompareBar(part(place, '#compare-bar'), context);
   mountEvaluation(part(place, '#compare-evaluation'), context);
   mountSideTabs(part(place, '#compare-side'), context);
-  mount(part(place, '.matrix-head'), () => head(shared, pane));
+  const apart = computed(() => clipsApart(context.store.present.value));
+  mount(part(place, '.matrix-head'), () => head(shared, pane, apart.value));
   mount(part(place, '.map-legend'), () => mapLegend(shared));
   mount(part(place, '.compare-message'), () => message(context));
   follow(() => {
@@ -75,7 +76,7 @@ function mountMap(place: HTMLElement, shared: Shared): void {
   });
 }
 
-function head(shared: Shared, pane: MatrixPane): TemplateResult {
+function head(shared: Shared, pane: MatrixPane, apart: readonly Apart[]): TemplateResult {
   const { store, language, compareActions } = shared.context;
   const { compare } = store;
   const scene = shared.scene.value;
@@ -89,7 +90,7 @@ function head(shared: Shared, pane: MatrixPane): TemplateResult {
       stops: shared.palette.value.distances,
       distance: distanceOf(shared),
     },
-    apart: clipsApart(store.present.value),
+    apart,
     order: compare.order.value,
     zoom:
       geometry && (small || geometry.zoom.cell !== null)

@@ -11,7 +11,7 @@ import type { Scene } from './scene';
 
 /** Up to so many clips the whole matrix is one exact picture. */
 const mostWhole = 1024;
-const mostDetail = 2048;
+const mostDetail = 1280;
 
 const sameOrder = (a: Int32Array, b: Int32Array): boolean =>
   a === b || (a.length === b.length && a.every((item, k) => item === b[k]));
