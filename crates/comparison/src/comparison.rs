@@ -9,7 +9,7 @@ use crate::distance::Measured;
 use crate::distances::Distances;
 use crate::evaluation::{self, OneNearest, Scores};
 use crate::explanation::{self, Explanation};
-use crate::feature::ClipFeature;
+use crate::feature::{ClipFeature, Vector};
 use crate::leaf_order::Order;
 use crate::map::Map;
 use crate::neighbours::nearest_first;
@@ -98,6 +98,15 @@ impl Comparison {
             cluster_of_item: self.tree.cut_by_leaves(clusters, &self.order.leaves),
             height: self.tree.cut_height(clusters),
         }
+    }
+
+    /// What is compared of each clip.
+    pub fn vectors(&self) -> Vec<Vector> {
+        let distance = self.settings.distance;
+        self.clips
+            .iter()
+            .map(|clip| *distance.vector(clip))
+            .collect()
     }
 
     /// The distance of two items, and whether it is that to the mirror image of the second.

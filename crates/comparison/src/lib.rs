@@ -28,6 +28,7 @@ pub mod linkage;
 pub mod map;
 pub mod neighbours;
 pub mod picture;
+pub mod report;
 pub mod run;
 pub mod settings;
 pub mod spread;

@@ -1,6 +1,6 @@
-//! How distances of all pairs are spread: distances go in; the largest, and the one at which a legend
-//! of colours ends, come out. Two looks at every pair for the first sixteen bits and the rest, and no
-//! sorted copy: ten thousand items have fifty million pairs.
+//! How distances of all pairs are spread: distances go in; the largest, the one at which a legend of
+//! colours ends, and the nearest of each item come out. Three looks at every pair tell twenty bits of
+//! the legend's end each, and need no sorted copy: ten thousand items have fifty million pairs.
 
 use crate::distances::Distances;
 
@@ -11,12 +11,16 @@ const WITHIN_LEGEND: f64 = 0.985;
 const BITS: [u32; 3] = [20, 22, 22];
 
 /// What is known of the distances of all pairs.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spread {
     /// The largest distance.
     pub maximum: f64,
     /// The smallest distance that at least 98.5 % of the pairs do not exceed.
     pub legend_maximum: f64,
+    /// The item nearest to each, of equals the first; none without another.
+    pub nearest: Vec<Option<usize>>,
+    /// How far it is; infinite without another.
+    pub nearest_distances: Vec<f64>,
 }
 
 /// [`Spread`] in pieces. A number that is not negative is ordered as its bits are: each look counts the
@@ -24,6 +28,8 @@ pub struct Spread {
 #[derive(Clone, Debug)]
 pub struct SpreadRun {
     maximum: f64,
+    nearest: Vec<Option<usize>>,
+    nearest_distances: Vec<f64>,
     /// Bits known, and how many.
     known: u64,
     known_bits: u32,
@@ -40,6 +46,8 @@ impl SpreadRun {
         let rank = (WITHIN_LEGEND * distances.pairs() as f64).ceil() as usize;
         Self {
             maximum: 0.0,
+            nearest: vec![None; distances.items()],
+            nearest_distances: vec![f64::INFINITY; distances.items()],
             known: 0,
             known_bits: 0,
             rank: rank.max(1),
@@ -60,7 +68,10 @@ impl SpreadRun {
             }
             let row = distances.to_later(self.row);
             left = left.saturating_sub(row.len());
-            self.add(&row);
+            if self.look == 0 {
+                self.look_for_nearest(&row);
+            }
+            self.count(&row);
             self.row += 1;
         }
         let part = self.row as f64 / rows.max(1) as f64;
@@ -72,14 +83,29 @@ impl SpreadRun {
         Spread {
             maximum: self.maximum,
             legend_maximum: f64::from_bits(self.known),
+            nearest: self.nearest,
+            nearest_distances: self.nearest_distances,
         }
     }
 
-    fn add(&mut self, row: &[f64]) {
+    /// Each item meets the others in their order, so that the first of equals stays.
+    fn look_for_nearest(&mut self, row: &[f64]) {
+        let one = self.row;
+        for (other, &value) in (one + 1..).zip(row) {
+            self.maximum = self.maximum.max(value);
+            for (item, near) in [(one, other), (other, one)] {
+                if value < self.nearest_distances[item] {
+                    self.nearest_distances[item] = value;
+                    self.nearest[item] = Some(near);
+                }
+            }
+        }
+    }
+
+    fn count(&mut self, row: &[f64]) {
         let shift = 64 - self.known_bits - BITS[self.look];
         let mask = (1_u64 << BITS[self.look]) - 1;
         for &value in row {
-            self.maximum = self.maximum.max(value);
             let bits = value.to_bits();
             // A shift by all bits is none at the first look, where nothing is known.
             let is_alike = self.known_bits == 0 || bits >> (64 - self.known_bits) == self.known;
@@ -131,22 +157,27 @@ mod tests {
             let mut sorted = values.clone();
             sorted.sort_by(f64::total_cmp);
             let at = (0.985 * count as f64).ceil() as usize - 1;
-            let expected = Spread {
-                maximum: sorted[count - 1],
-                legend_maximum: sorted[at],
-            };
-            assert_eq!(found(items, values), expected, "{items}");
+            let found = found(items, values);
+            assert_eq!(found.maximum, sorted[count - 1], "{items}");
+            assert_eq!(found.legend_maximum, sorted[at], "{items}");
         }
     }
 
     #[test]
     fn equal_pairs_and_no_pairs_have_an_end() {
-        let same = Spread {
-            maximum: 0.25,
-            legend_maximum: 0.25,
-        };
-        assert_eq!(found(4, vec![0.25; 6]), same);
-        assert_eq!(found(3, vec![0.0; 3]), Spread::default());
-        assert_eq!(found(1, Vec::new()), Spread::default());
+        let same = found(4, vec![0.25; 6]);
+        assert_eq!((same.maximum, same.legend_maximum), (0.25, 0.25));
+        assert_eq!(same.nearest, [Some(1), Some(0), Some(0), Some(0)]);
+        assert_eq!(found(3, vec![0.0; 3]).legend_maximum, 0.0);
+        let one = found(1, Vec::new());
+        assert_eq!((one.legend_maximum, one.nearest), (0.0, vec![None]));
+    }
+
+    #[test]
+    fn the_nearest_of_each_item_by_hand() {
+        // 0, 1, 3 and 7 on a line.
+        let line = found(4, vec![1.0, 3.0, 7.0, 2.0, 6.0, 4.0]);
+        assert_eq!(line.nearest, [Some(1), Some(0), Some(1), Some(2)]);
+        assert_eq!(line.nearest_distances, [1.0, 1.0, 2.0, 4.0]);
     }
 }

@@ -2,10 +2,14 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use comparison::distance::{Dissimilarity, Distance};
+use comparison::settings::{CutRule, Linkage, Settings};
 use motion::keypose::evaluation::Span;
 use motion::keypose::{Options, SelectionRule};
 use motion::report::Table;
+
+use crate::labels::{self, LabelRule};
 
 /// Keyposes of motion capture files (BVH).
 ///
@@ -30,6 +34,10 @@ pub enum Command {
     Inspect(Inspect),
     /// Finds the keyposes of each file.
     Keyposes(Keyposes),
+    /// Tells the posture-variation feature of each file's first human performer.
+    Features(Features),
+    /// Compares the files of a set: distances, tree, clusters, neighbours, and scores of labels.
+    Compare(Compare),
     /// Writes the sample motions into a folder, each with its true keyposes.
     Samples(Samples),
 }
@@ -86,6 +94,93 @@ pub struct Samples {
     /// Which samples; all if none is named.
     #[arg(value_name = "ID")]
     pub ids: Vec<String>,
+}
+
+/// `keypose features`.
+#[derive(Args, Debug)]
+pub struct Features {
+    /// Motion capture files and folders of them.
+    #[arg(required = true, value_name = "FILE|DIR")]
+    pub paths: Vec<PathBuf>,
+    /// One JSON object a line for each file (docs/formats.md).
+    #[arg(long, group = "form")]
+    pub json: bool,
+    /// A table with one line a file (docs/formats.md); what is written if no form is named.
+    #[arg(long, group = "form")]
+    pub csv: bool,
+    /// The bytes of a NumPy array, files × 12.
+    #[arg(long, group = "form")]
+    pub npy: bool,
+    /// Features of the same motion on a body of standard lengths, for comparing across rigs.
+    #[arg(long)]
+    pub across_rigs: bool,
+    /// How files are read.
+    #[command(flatten)]
+    pub overrides: Overrides,
+}
+
+/// `keypose compare`.
+#[derive(Args, Debug)]
+pub struct Compare {
+    /// Motion capture files and folders of them.
+    #[arg(required = true, value_name = "FILE|DIR")]
+    pub paths: Vec<PathBuf>,
+    /// One JSON object with all that is known of the set (docs/formats.md).
+    #[arg(long, group = "form")]
+    pub json: bool,
+    /// A table with one line a clip: label, cluster, nearest clip (docs/formats.md).
+    #[arg(long, group = "form")]
+    pub csv: bool,
+    /// The tree as Newick text.
+    #[arg(long, group = "form")]
+    pub newick: bool,
+    /// Where labels come from: `folder`, or a pattern of file names, as '{label}_*'.
+    #[arg(long, value_name = "folder|PATTERN", value_parser = labels::rule)]
+    pub labels: Option<LabelRule>,
+    /// How alike two clips are.
+    #[arg(long, value_enum, default_value_t)]
+    pub distance: DistanceName,
+    /// A clip is as near as its mirror image; the tree is one of group averages.
+    #[arg(long)]
+    pub mirror: bool,
+    /// Compare on a body of standard lengths.
+    #[arg(long)]
+    pub across_rigs: bool,
+    /// How the tree is made: ward, or average where --mirror leaves no vectors.
+    #[arg(long, value_enum)]
+    pub linkage: Option<LinkageName>,
+    /// How the tree is cut: into N clusters, or by a rule; bic for ward, mojena for average.
+    #[arg(long, value_name = "N|bic|mojena", value_parser = cut_rule)]
+    pub clusters: Option<CutRule>,
+    /// How files are read.
+    #[command(flatten)]
+    pub overrides: Overrides,
+}
+
+/// The distances that there are.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum DistanceName {
+    /// Euclidean distance of the posture variation.
+    #[default]
+    PostureVariation,
+}
+
+/// The ways to make a tree.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum LinkageName {
+    /// Ward's method.
+    Ward,
+    /// Group average.
+    Average,
+}
+
+fn cut_rule(text: &str) -> Result<CutRule, String> {
+    match (text, text.parse()) {
+        ("bic", _) => Ok(CutRule::Bic),
+        ("mojena", _) => Ok(CutRule::Mojena),
+        (_, Ok(clusters)) if clusters > 0 => Ok(CutRule::Number(clusters)),
+        _ => Err("expected a whole number from 1, bic or mojena".to_owned()),
+    }
 }
 
 /// What a person decides about all files of the call; otherwise it is found in each.
@@ -154,6 +249,37 @@ impl Keyposes {
             true => Span::Marks,
             false => Span::Clip,
         }
+    }
+}
+
+impl Compare {
+    /// The core's settings.
+    pub fn settings(&self) -> Settings {
+        let linkage = match self.linkage {
+            Some(LinkageName::Ward) => Linkage::Ward,
+            Some(LinkageName::Average) => Linkage::Average,
+            None if self.mirror => Linkage::Average,
+            None => Linkage::default(),
+        };
+        let DistanceName::PostureVariation = self.distance;
+        Settings {
+            distance: Distance::PostureVariation(Dissimilarity {
+                across_rigs: self.across_rigs,
+                mirror_aware: self.mirror,
+            }),
+            linkage,
+            cut: self.clusters,
+        }
+    }
+}
+
+impl Features {
+    /// The distance whose features are told.
+    pub fn distance(&self) -> Distance {
+        Distance::PostureVariation(Dissimilarity {
+            across_rigs: self.across_rigs,
+            mirror_aware: false,
+        })
     }
 }
 

@@ -1,14 +1,19 @@
 //! The `keypose` command: what is in motion capture files, and their keyposes.
 
 mod arguments;
+mod compare;
+mod compare_text;
+mod features;
 mod files;
 mod in_order;
 mod inspect;
 mod judge;
 mod keyposes_text;
+mod labels;
 mod marks;
 mod samples;
 mod study;
+mod surveys;
 
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::PathBuf;
@@ -33,6 +38,8 @@ fn main() -> ExitCode {
     let result = match &arguments.command {
         Command::Inspect(inspect) => run_inspect(inspect, arguments.threads),
         Command::Keyposes(keyposes) => run_keyposes(keyposes, arguments.threads),
+        Command::Features(wanted) => features::write(wanted, arguments.threads),
+        Command::Compare(wanted) => compare::write(wanted, arguments.threads),
         Command::Samples(wanted) => samples::write_all(&wanted.folder, &wanted.ids).map(|()| true),
     };
     match result {

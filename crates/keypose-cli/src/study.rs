@@ -91,7 +91,10 @@ impl Wishes {
     }
 
     /// The decisions about one clip: a joint is decided for every performer who has it.
-    fn decisions(&self, clip: &Clip) -> Result<Decisions> {
+    ///
+    /// # Errors
+    /// A joint that the clip does not have.
+    pub fn decisions(&self, clip: &Clip) -> Result<Decisions> {
         let mut decisions = self.decisions.clone();
         for (role, label) in &self.joints {
             let before = decisions.joints.len();
@@ -142,7 +145,11 @@ fn unit_from_name(name: &str) -> Result<Unit> {
     }
 }
 
-fn read(file: &InputFile) -> Result<(Clip, String)> {
+/// Reads a file in slices; its SHA-256 beside.
+///
+/// # Errors
+/// One line that names the file, and the line and column where it cannot be read.
+pub fn read(file: &InputFile) -> Result<(Clip, String)> {
     let shown = file.path.display();
     let mut source = File::open(&file.path).with_context(|| shown.to_string())?;
     let total = source.metadata().with_context(|| shown.to_string())?.len();

@@ -10,6 +10,9 @@ use crate::note::{Note, NoteKind};
 use crate::rest::LeadingRest;
 use crate::world::{Unit, Up};
 
+/// With fewer frames there is no motion to compare.
+const FEWEST_COMPARED: usize = 2;
+
 /// What was found in one clip, short of its keyposes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Survey {
@@ -40,7 +43,7 @@ pub struct PerformerSurvey {
     pub frames: usize,
     /// The posture variation, in squared body heights; none without frames or a human body.
     pub feature: Option<[f64; 12]>,
-    /// What a comparison with other clips takes; none where there is no feature.
+    /// What a comparison with other clips takes; none where there is no feature, or one frame only.
     pub comparable: Option<ComparableFeature>,
     /// The yaw of a viewer whom the pelvis faces in the mean.
     pub front_yaw_rad: f64,
@@ -67,7 +70,10 @@ impl PerformerSurvey {
             leading_rest: placement.leading_rest,
             frames: followed.track.frames(),
             feature: followed.comparable.as_ref().map(|found| found.recorded),
-            comparable: followed.comparable.clone(),
+            comparable: followed
+                .comparable
+                .clone()
+                .filter(|_| followed.track.frames() >= FEWEST_COMPARED),
             front_yaw_rad: surroundings.front_yaw_rad,
             notes: notes(posed, placement, unit.is_none()),
         }

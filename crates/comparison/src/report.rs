@@ -1,0 +1,48 @@
+//! Results as text and bytes, the same from the command line and the browser: a set compared goes in;
+//! CSV, JSON, `.npy` and Newick come out. The fields are described in `docs/formats.md`.
+
+mod evaluation;
+mod features;
+mod labels;
+mod matrix;
+mod npy;
+mod provenance;
+mod set;
+
+pub use evaluation::{evaluation_csv, evaluation_json};
+pub use features::{features_csv, features_npy};
+pub use labels::Labels;
+pub use matrix::{matrix_csv, matrix_npy};
+pub use provenance::{VERSION, feature_parameters};
+pub use set::{LeftOut, set_json};
+
+use crate::comparison::{Comparison, Cut};
+use crate::settings::CutRule;
+
+/// What a report is about: a set compared, its names, a cut and labels.
+#[derive(Clone, Copy)]
+pub struct Subject<'a> {
+    /// What the report calls each clip.
+    pub names: &'a [String],
+    /// Their comparison.
+    pub comparison: &'a Comparison,
+    /// A cut of its tree.
+    pub cut: &'a Cut,
+    /// Labels of the clips; none where nobody gave any.
+    pub labels: Option<&'a Labels>,
+}
+
+impl Subject<'_> {
+    /// How the number of clusters was found.
+    fn rule(&self) -> CutRule {
+        match self.cut.clusters == self.comparison.automatic_clusters {
+            true => self.comparison.settings.rule(),
+            false => CutRule::Number(self.cut.clusters),
+        }
+    }
+
+    /// The tree as Newick, on a line of its own.
+    pub fn newick(&self) -> String {
+        self.comparison.tree.newick(self.names) + "\n"
+    }
+}

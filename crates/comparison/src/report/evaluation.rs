@@ -1,0 +1,119 @@
+//! How well a set's labels are told apart: a set with labels goes in; JSON, or a table with a row for
+//! each clip, come out.
+
+use result_text::csv::field;
+use result_text::json::{Json, number};
+
+use super::provenance::{VERSION, parameters, parameters_text};
+use super::{Labels, Subject};
+use crate::evaluation::{self, OneNearest};
+
+const HEADER: &str =
+    "clip,label,cluster,nearest,nearest_label,distance,is_right,version,parameters\r\n";
+
+/// The scores with what they are of: one object on a line of its own.
+pub fn evaluation_json(subject: &Subject) -> String {
+    let labels = subject.labels.cloned().unwrap_or_default();
+    let object = Json::object([
+        ("version", VERSION.into()),
+        ("parameters", parameters(subject)),
+        (
+            "clips",
+            Json::list(subject.names.iter().map(String::as_str)),
+        ),
+        ("labels", label_list(subject, &labels)),
+        (
+            "clusters",
+            Json::list(subject.cut.cluster_of_item.iter().copied()),
+        ),
+        ("evaluation", scores(subject, &labels)),
+    ]);
+    object.text() + "\n"
+}
+
+/// The label of each clip.
+pub fn label_list(subject: &Subject, labels: &Labels) -> Json {
+    Json::list((0..subject.names.len()).map(|item| Json::from(labels.of(item))))
+}
+
+/// `evaluation`: the clips held against their nearest ones, the cut against the labels.
+pub fn scores(subject: &Subject, labels: &Labels) -> Json {
+    let nearest = subject.comparison.one_nearest(&labels.of_item);
+    let clustering = evaluation::clustering(&subject.cut.cluster_of_item, &labels.of_item);
+    let name = |item: usize| subject.names[item].as_str();
+    let error = |(clip, near): &(usize, usize)| {
+        Json::object([
+            ("clip", name(*clip).into()),
+            ("nearest", name(*near).into()),
+        ])
+    };
+    Json::object([
+        ("accuracy", nearest.accuracy.into()),
+        ("best_reachable", nearest.best_reachable.into()),
+        ("labelled", nearest.labelled.into()),
+        ("correct", nearest.correct.into()),
+        ("recall", clustering.recall.into()),
+        ("precision", clustering.precision.into()),
+        ("f", clustering.f.into()),
+        (
+            "labels",
+            Json::list(labels.names.iter().map(String::as_str)),
+        ),
+        ("confusion", confusion(&nearest, labels.names.len())),
+        ("errors", Json::list(nearest.errors.iter().map(error))),
+        (
+            "single",
+            Json::list(
+                nearest
+                    .single
+                    .iter()
+                    .map(|label| labels.names[*label].as_str()),
+            ),
+        ),
+    ])
+}
+
+/// Labels × labels: own label, label of the nearest.
+fn confusion(nearest: &OneNearest, labels: usize) -> Json {
+    let mut table = vec![vec![0; labels]; labels];
+    for field in &nearest.confusion {
+        table[field.own][field.nearest] = field.count;
+    }
+    Json::list(table.into_iter().map(Json::list))
+}
+
+/// One row for each clip: its label, its cluster, and the clip nearest to it; of a clip with a label the
+/// nearest one with a label.
+pub fn evaluation_csv(subject: &Subject) -> String {
+    let labels = subject.labels.cloned().unwrap_or_default();
+    let among_labelled = match subject.labels {
+        Some(labels) => subject.comparison.one_nearest(&labels.of_item).nearest,
+        None => Vec::new(),
+    };
+    let end = format!("{VERSION},{}", parameters_text(subject));
+    let mut text = HEADER.to_owned();
+    for (item, name) in subject.names.iter().enumerate() {
+        let own = labels.of(item);
+        let nearest = match own {
+            Some(_) => among_labelled[item],
+            None => subject.comparison.spread.nearest[item],
+        };
+        let start = [name, own.unwrap_or_default()].map(field).join(",");
+        let cluster = subject.cut.cluster_of_item[item];
+        let near = near(subject, &labels, item, nearest);
+        text.push_str(&format!("{start},{cluster},{near},{end}\r\n"));
+    }
+    text
+}
+
+/// Name, label and distance of the nearest, and whether the label is right.
+fn near(subject: &Subject, labels: &Labels, item: usize, nearest: Option<usize>) -> String {
+    let Some(nearest) = nearest else {
+        return ",,,".to_owned();
+    };
+    let (own, other) = (labels.of(item), labels.of(nearest));
+    let texts = [subject.names[nearest].as_str(), other.unwrap_or_default()];
+    let distance = number(subject.comparison.distances.at(item, nearest));
+    let is_right = own.map_or_else(String::new, |_| (own == other).to_string());
+    format!("{},{distance},{is_right}", texts.map(field).join(","))
+}

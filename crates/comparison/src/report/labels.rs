@@ -1,0 +1,37 @@
+//! Labels of clips: a word for each clip, or none, goes in; each word once, and its number for every
+//! clip, come out.
+
+/// Labels of the clips of a set.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Labels {
+    /// Each label once, in the order of its first clip.
+    pub names: Vec<String>,
+    /// The label of each clip, by its place in `names`.
+    pub of_item: Vec<Option<usize>>,
+}
+
+impl Labels {
+    /// The labels of clips in their order.
+    pub fn new(labels: impl IntoIterator<Item = Option<String>>) -> Self {
+        let mut all = Self::default();
+        for label in labels {
+            let number = label.map(|label| all.number(label));
+            all.of_item.push(number);
+        }
+        all
+    }
+
+    /// The label of a clip in words.
+    pub fn of(&self, item: usize) -> Option<&str> {
+        let number = (*self.of_item.get(item)?)?;
+        self.names.get(number).map(String::as_str)
+    }
+
+    fn number(&mut self, label: String) -> usize {
+        let known = self.names.iter().position(|name| *name == label);
+        known.unwrap_or_else(|| {
+            self.names.push(label);
+            self.names.len() - 1
+        })
+    }
+}
