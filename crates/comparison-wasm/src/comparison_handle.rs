@@ -8,13 +8,14 @@ use comparison::comparison::{Comparison, Evaluation};
 use comparison::evaluation::{self, OneNearest};
 use comparison::map::{self, Place};
 use comparison::picture::{Picture, PictureRun, Region};
+use comparison::report::{Labels, Subject};
 use comparison::run::ComparisonRun;
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::clips::{self, NamedClip};
 use crate::settings::{self, JsSettings};
-use crate::{failure, texts};
+use crate::{exports, failure, texts};
 
 /// Cells of a picture that are looked at in one step.
 const CELLS_A_STEP: usize = 1 << 19;
@@ -157,6 +158,20 @@ impl ComparisonHandle {
         Ok(self.comparison()?.order.optimal)
     }
 
+    /// The item nearest to each; −1 without another.
+    pub fn nearest(&self) -> Result<Vec<i32>, JsError> {
+        let nearest = self.comparison()?.spread.nearest.iter();
+        Ok(nearest
+            .map(|item| item.map_or(-1, |item| item as i32))
+            .collect())
+    }
+
+    /// How far it is.
+    #[wasm_bindgen(js_name = nearestDistances)]
+    pub fn nearest_distances(&self) -> Result<Vec<f64>, JsError> {
+        Ok(self.comparison()?.spread.nearest_distances.clone())
+    }
+
     /// Where the items lie: items × 2.
     pub fn map(&self) -> Result<Vec<f64>, JsError> {
         Ok(self
@@ -287,6 +302,33 @@ impl ComparisonHandle {
         self.one_nearest = Some((labels, found.one_nearest));
         Ok(text)
     }
+
+    /// The bytes of a file: `kind` is `features-csv`, `features-npy`, `matrix-csv`, `matrix-npy`,
+    /// `tree-newick`, `evaluation-csv` or `evaluation-json`. `names` are the labels that `labels`, one
+    /// for each item and below 0 where there is none, speaks of.
+    #[wasm_bindgen(js_name = exportFile)]
+    pub fn export_file(
+        &self,
+        kind: &str,
+        names: Vec<String>,
+        labels: &[i32],
+        clusters: u32,
+    ) -> Result<Vec<u8>, JsError> {
+        let Compared { comparison, clips } = self.compared()?;
+        let labels = Labels {
+            names,
+            of_item: labels_of(labels, clips.len())?,
+        };
+        let names: Vec<String> = clips.iter().map(|clip| clip.name.clone()).collect();
+        let subject = Subject {
+            names: &names,
+            comparison,
+            cut: &comparison.cut(clusters as usize),
+            labels: Some(&labels),
+        };
+        let bytes = exports::bytes(kind, &subject);
+        bytes.ok_or_else(|| failure::misuse(&format!("exportFile: unknown kind {kind}")))
+    }
 }
 
 impl ComparisonHandle {
@@ -328,7 +370,7 @@ fn items_of(numbers: &[i32], items: usize) -> Result<Vec<usize>, JsError> {
 }
 
 /// Labels by their numbers, one for each item.
-pub fn labels_of(numbers: &[i32], items: usize) -> Result<Vec<Option<usize>>, JsError> {
+fn labels_of(numbers: &[i32], items: usize) -> Result<Vec<Option<usize>>, JsError> {
     if numbers.len() != items {
         return Err(failure::misuse("as many labels as items are needed"));
     }

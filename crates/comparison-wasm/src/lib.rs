@@ -7,8 +7,11 @@
 
 mod clips;
 mod comparison_handle;
+mod exports;
 mod failure;
 mod settings;
 mod texts;
+mod warp_handle;
 
 pub use comparison_handle::ComparisonHandle;
+pub use warp_handle::WarpHandle;
