@@ -1,7 +1,9 @@
 /** Where the page begins: what it is made of is handed to the views. */
 import './styles/index.css';
+import { followComparison } from './app/comparing';
 import type { Context } from './app/context';
 import { learnDefaults } from './app/defaults';
+import { failureOf } from './app/failure';
 import { installIcons } from './common/icons';
 import { followOpenClip } from './player/follow-clip';
 import { listenToKeys } from './player/keys';
@@ -14,11 +16,24 @@ import { mountPage } from './shell/page';
 import { prefetchStudy } from './shell/prefetch';
 import { installTips } from './shell/tips';
 
+function followComparing({ store, comparer, language }: Context): void {
+  followComparison({
+    store,
+    comparer,
+    now: () => performance.now(),
+    tellError: (error) => {
+      const text = language.words.peek().failure(failureOf(error));
+      store.toast.value = { kind: 'error', text };
+    },
+  });
+}
+
 function start(root: HTMLElement, context: Context): void {
   const { store, actions } = context;
   const stageOff = new URLSearchParams(location.search).get('stage') === 'off';
   tellErrors(window, context);
   learnDefaults(context.engine, store);
+  followComparing(context);
   installIcons(document.body);
   installTips(document.body);
   followOpenClip(store, context.playback, context.engine);

@@ -1,5 +1,5 @@
 /** What a person can do while comparing, in verbs; views of the pages Compare and Pair end in these. */
-import { batch } from '@preact/signals-core';
+import { batch, untracked } from '@preact/signals-core';
 import type {
   Comparer,
   ComparisonExportKind,
@@ -7,6 +7,7 @@ import type {
 } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { saveBlob } from '../common/save-file';
+import { labelledCut } from './comparing-selection';
 import type { CompareTab, LabelRule, MatrixOrder, Page } from './compare-store';
 import { failureOf } from './failure';
 import type { History } from './history';
@@ -147,11 +148,10 @@ class Verbs implements CompareActions {
 
   exportComparison(kind: ComparisonExportKind): void {
     const { comparer, store } = this.parts;
-    const { comparison, cut } = this.state;
-    const items = comparison.peek()?.clips.length ?? 0;
-    const labels = new Array<string | null>(items).fill(null);
+    const labelled = untracked(() => labelledCut(store));
+    if (!labelled) return;
     comparer
-      .exportFile(kind, { clusters: cut.peek()?.clusters ?? 1, labels })
+      .exportFile(kind, labelled)
       .then((blob) => this.save(fileNames[kind], blob))
       .catch((error: unknown) => {
         const { t, failure } = this.parts.words();

@@ -1,24 +1,27 @@
-/** The comparer of the page: nothing is compared yet. */
-import type { PostureSource } from './comparer';
+/**
+ * The comparer of the page: a worker of the browser, started by the first comparison.
+ */
+import { proxy, wrap } from 'comlink';
+import { createComparer, type PostureSource } from './comparer';
+import type { ComparisonApi } from './comparison-protocol';
 import type { Comparer } from './comparison-types';
-import { failureOf } from './failures';
-import { EngineError } from './types';
+import type { PoolWorker, Remote } from './pool-task';
+import type { WorkerListener } from './protocol';
 
-const later = (): Promise<never> =>
-  Promise.reject(new EngineError(failureOf('engine-unavailable'), ''));
+function spawnComparison(
+  listener: WorkerListener,
+  died: (message: string) => void,
+): PoolWorker<ComparisonApi> {
+  const worker = new Worker(new URL('./comparison-script.ts', import.meta.url), {
+    type: 'module',
+  });
+  worker.onerror = (event: Partial<ErrorEvent>) => died(event.message ?? 'it could not start');
+  worker.onmessageerror = () => died('a message could not be read');
+  const api = wrap<ComparisonApi>(worker) as unknown as Remote<ComparisonApi>;
+  void api.listen(proxy(listener));
+  return { api, terminate: () => worker.terminate() };
+}
 
 export function createBrowserComparer(engine: PostureSource): Comparer {
-  void engine;
-  return {
-    setFeature: () => undefined,
-    compare: later,
-    cut: later,
-    picture: later,
-    explain: later,
-    neighbours: later,
-    evaluate: later,
-    warp: later,
-    exportFile: later,
-    destroy: () => undefined,
-  };
+  return createComparer(engine, spawnComparison);
 }

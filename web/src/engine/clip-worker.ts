@@ -18,7 +18,8 @@ import type {
   WorkerApi,
   WorkerListener,
 } from './protocol';
-import { type Core, CoreFailure } from './raw';
+import { CoreFailure } from './core-failure';
+import type { Core } from './raw';
 import { slicesOf } from './slices';
 import { posturesOf, surveyAll } from './survey';
 import { Cancelled, Jobs } from './turns';

@@ -83,12 +83,7 @@ class WorkerComparer implements Comparer {
     this.run = new AbortController();
     const ascending = [...this.features].sort(([a], [b]) => a - b);
     const compared: Compared = { settings, clips: new Map(ascending) };
-    const comparison = await this.comparison(compared, {
-      ...work,
-      signal: anyOf(this.run.signal, work.signal),
-    });
-    this.latest = compared;
-    return comparison;
+    return this.comparison(compared, { ...work, signal: anyOf(this.run.signal, work.signal) });
   }
 
   cut(clusters: number): Promise<Cut> {
@@ -147,13 +142,18 @@ class WorkerComparer implements Comparer {
   }
 
   private comparison(compared: Compared, work: WorkOptions = {}): Promise<Comparison> {
-    const clips = Int32Array.from(compared.clips.keys());
     return this.again(async () => {
       const found = await this.start(
-        (api, job) => api.compare(job, compared.settings, clips, this.news(compared.clips)),
+        (api, job) => api.compare(job, compared.settings, this.news(compared.clips)),
         work,
       );
-      this.inWorker = compared;
+      // In the order of the items, so that made again it numbers them alike.
+      const items = [...found.clips].flatMap((clip) => {
+        const told = compared.clips.get(clip);
+        return told ? [[clip, told] as const] : [];
+      });
+      this.latest = { settings: compared.settings, clips: new Map(items) };
+      this.inWorker = this.latest;
       return found;
     });
   }

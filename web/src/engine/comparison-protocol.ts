@@ -37,7 +37,6 @@ export interface ComparisonApi {
   compare(
     job: JobId,
     settings: ComparisonSettings,
-    clips: Int32Array,
     news: FeatureNews,
   ): Promise<Outcome<Comparison>>;
   cut(job: JobId, clusters: number): Promise<Outcome<Cut>>;

@@ -2,7 +2,7 @@
  * Errors of a worker in; the failures that they stand for out.
  */
 import { failureOf } from './failures';
-import { CoreFailure } from './raw';
+import { CoreFailure } from './core-failure';
 import type { Failure } from './types';
 import { ZipError } from './zip-directory';
 

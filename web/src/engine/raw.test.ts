@@ -1,6 +1,7 @@
 /** Lifetimes and refusals at the border to the core. */
 import { beforeAll, describe, expect, it } from 'vitest';
-import { type Core, type CoreClip, CoreFailure } from './raw';
+import { CoreFailure } from './core-failure';
+import type { Core, CoreClip } from './raw';
 import { testCore } from './test-engine';
 
 let core: Core;

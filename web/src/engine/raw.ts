@@ -11,11 +11,11 @@ import init, {
   sampleCatalogue,
 } from './generated/motion_wasm';
 import type { ClipFeature } from './comparison-types';
+import { refusing } from './core-failure';
 import type {
   ClipResult,
   Decisions,
   ExportKind,
-  Failure,
   KeyposeResult,
   MethodOptions,
   MethodSettings,
@@ -30,17 +30,6 @@ export interface Survey extends Pick<ClipResult, 'frames' | 'frameTimeS'> {
     PerformerResult,
     'body' | 'leadingRestFrames' | 'comparable'
   > & { readonly analysedFrames: number })[];
-}
-
-/** A failure that the core has found in a file or an option. */
-export class CoreFailure extends Error {
-  readonly failure: Failure;
-
-  constructor(failure: Failure) {
-    super(failure.kind);
-    this.name = 'CoreFailure';
-    this.failure = failure;
-  }
 }
 
 /** The core, ready for work. */
@@ -103,18 +92,6 @@ export async function loadCore(wasm?: Uint8Array<ArrayBuffer>): Promise<Core> {
     sample: (id) => (sampleBvh(id) as Uint8Array<ArrayBuffer> | undefined) ?? null,
     memoryBytes: () => memory.buffer.byteLength,
   };
-}
-
-/** Runs a call into the core; what it throws on purpose is a failure written as JSON. */
-function refusing<T>(call: () => T): T {
-  try {
-    return call();
-  } catch (error) {
-    if (error instanceof Error && error.message.startsWith('{')) {
-      throw new CoreFailure(JSON.parse(error.message) as Failure);
-    }
-    throw error;
-  }
 }
 
 class WasmClip implements CoreClip {
@@ -244,9 +221,15 @@ function performerOf(
 }
 
 function comparableOf(handle: ClipHandle, performer: number): ClipFeature | null {
-  void handle;
-  void performer;
-  return null;
+  const recorded = handle.recordedFeature(performer);
+  if (recorded.length === 0) return null;
+  return {
+    performer,
+    recorded,
+    acrossRigs: handle.acrossRigsFeature(performer),
+    recordedByJoint: handle.recordedByJoint(performer),
+    acrossRigsByJoint: handle.acrossRigsByJoint(performer),
+  };
 }
 
 function keyposesOf(handle: ClipHandle, summary: KeyposeSummary, index: number): KeyposeResult {

@@ -1,0 +1,97 @@
+/**
+ * The comparison, the selection and the labels in; why the selected pair differs, the neighbours of the
+ * open clip, and how well labels are told apart, out.
+ */
+import { batch, effect } from '@preact/signals-core';
+import type {
+  Comparer,
+  Comparison,
+  Evaluation,
+  Explanation,
+  LabelledCut,
+  Neighbour,
+} from '../engine/comparison-types';
+import type { ClipId } from '../engine/types';
+import { LatestAnswer } from './latest-answer';
+import type { Store } from './store';
+
+/** Neighbours of the open clip that are told. */
+const mostNeighbours = 100;
+
+const isIn = (comparison: Comparison | null, clip: ClipId | null): clip is ClipId =>
+  clip !== null && (comparison?.clips.includes(clip) ?? false);
+
+/** The labels of the items of a comparison and its cut; null before there is one. */
+export function labelledCut({ compare, labels }: Store): LabelledCut | null {
+  const comparison = compare.comparison.value;
+  const cut = compare.cut.value;
+  if (!comparison || !cut) return null;
+  const labelOf = (clip: ClipId): string | null => labels.value.get(clip) ?? null;
+  return { clusters: cut.clusters, labels: Array.from(comparison.clips, labelOf) };
+}
+
+/** Returns what ends it. */
+export function followSelection(store: Store, comparer: Comparer): () => void {
+  const { compare } = store;
+  // A failure is that of the comparison, which tells it, or of one that has been replaced meanwhile.
+  const quiet = (): void => undefined;
+  const explanations = new LatestAnswer<Explanation>(
+    (found) => (compare.explanation.value = found),
+    quiet,
+  );
+  const neighbours = new LatestAnswer<readonly Neighbour[]>(
+    (found) => (compare.neighbours.value = found),
+    quiet,
+  );
+  const evaluations = new LatestAnswer<Evaluation>(
+    (found) => (compare.evaluation.value = found),
+    quiet,
+  );
+  const ends = [
+    effect(() => {
+      const [comparison, a, b] = [
+        compare.comparison.value,
+        store.openId.value,
+        compare.otherId.value,
+      ];
+      if (isIn(comparison, a) && isIn(comparison, b) && a !== b) {
+        explanations.ask(() => comparer.explain(a, b));
+        return;
+      }
+      explanations.forget();
+      compare.explanation.value = null;
+    }),
+    effect(() => {
+      const [comparison, a] = [compare.comparison.value, store.openId.value];
+      if (isIn(comparison, a)) {
+        neighbours.ask(() => comparer.neighbours(a, mostNeighbours));
+        return;
+      }
+      neighbours.forget();
+      compare.neighbours.value = [];
+    }),
+    effect(() => {
+      const labelled = labelledCut(store);
+      if (labelled?.labels.some((label) => label !== null)) {
+        evaluations.ask(() => comparer.evaluate(labelled));
+        return;
+      }
+      evaluations.forget();
+      compare.evaluation.value = null;
+    }),
+    effect(() => leaveRemoved(store)),
+  ];
+  return () => ends.forEach((end) => end());
+}
+
+/** A clip that is gone, or that has become the open one, is not the other one any more. */
+function leaveRemoved({ clips, openId, compare }: Store): void {
+  const all = clips.value;
+  const stays = (id: ClipId): boolean => all[id]?.removed === false && id !== openId.value;
+  const other = compare.otherId.value;
+  const also = compare.alsoIds.value;
+  batch(() => {
+    if (other !== null && !stays(other)) compare.otherId.value = null;
+    if (!also.every(stays)) compare.alsoIds.value = also.filter(stays);
+  });
+}

@@ -1,0 +1,188 @@
+/**
+ * The comparison follows the store: features of clips in as they become known, what is known of the set
+ * out. While files are still being read it is made again as the set grows; at the end it covers all.
+ */
+import { batch, effect } from '@preact/signals-core';
+import type { ClipFeature, Comparer, Comparison, Cut } from '../engine/comparison-types';
+import type { ClipId } from '../engine/types';
+import type { Clip } from './clips';
+import { followSelection } from './comparing-selection';
+import { isAbort } from './failure';
+import { LatestAnswer } from './latest-answer';
+import type { Store } from './store';
+
+/** The name under which the browser's timeline notes that all clips are compared. */
+const fullMark = 'comparison-full';
+
+/** A set is compared again when it has grown by this factor, … */
+const growth = 1.4;
+/** … and so many times as long has passed as a comparison takes. */
+const restForCost = 4;
+/** Changes that come one after the other, as of decisions, are taken together. */
+const settleMs = 60;
+
+export interface ComparingParts {
+  readonly store: Store;
+  readonly comparer: Comparer;
+  readonly now: () => number;
+  readonly tellError: (error: unknown) => void;
+}
+
+/** Returns what ends it. */
+export function followComparison(parts: ComparingParts): () => void {
+  const comparing = new Comparing(parts);
+  const ends = [comparing.start(), followSelection(parts.store, parts.comparer)];
+  return () => ends.forEach((end) => end());
+}
+
+class Comparing {
+  private readonly parts: ComparingParts;
+  private readonly told = new Map<ClipId, ClipFeature>();
+  /** What was told has changed since the comparison under way, or the last one, began. */
+  private changed = false;
+  private underWay = false;
+  private compared = 0;
+  private endedMs = Number.NEGATIVE_INFINITY;
+  private costMs = 0;
+  private timer: ReturnType<typeof setTimeout> | null = null;
+  private readonly cuts: LatestAnswer<Cut>;
+
+  constructor(parts: ComparingParts) {
+    this.parts = parts;
+    const { cut } = parts.store.compare;
+    this.cuts = new LatestAnswer((found) => (cut.value = found), parts.tellError);
+  }
+
+  start(): () => void {
+    const { store } = this.parts;
+    const { settings, cutClusters } = store.compare;
+    const ends = [
+      effect(() => {
+        this.tellFeatures(store.present.value);
+        void [store.reading.value, store.openClip.value?.result, store.compare.page.value];
+        this.schedule();
+      }),
+      effect(() => {
+        void settings.value;
+        if (this.compared === 0) return;
+        this.changed = true;
+        this.compare();
+      }),
+      effect(() => {
+        const wanted = cutClusters.value;
+        const comparison = store.compare.comparison.peek();
+        if (comparison) this.cuts.ask(() => this.cutOf(comparison, wanted));
+      }),
+    ];
+    return () => {
+      ends.forEach((end) => end());
+      if (this.timer !== null) clearTimeout(this.timer);
+    };
+  }
+
+  private tellFeatures(present: readonly Clip[]): void {
+    const gone = new Set(this.told.keys());
+    for (const { id, source, feature } of present) {
+      if (feature === null) continue;
+      gone.delete(id);
+      if (this.told.get(id) === feature) continue;
+      this.told.set(id, feature);
+      this.parts.comparer.setFeature(id, nameOf(source), feature);
+      this.changed = true;
+    }
+    for (const id of gone) {
+      this.told.delete(id);
+      this.parts.comparer.setFeature(id, '', null);
+      this.changed = true;
+    }
+  }
+
+  /** Compares when it is due, or looks again when it may be. */
+  private schedule(): void {
+    if (this.told.size < 2) this.clear();
+    if (!this.changed || this.told.size < 2) return;
+    const waitMs = this.waitMs();
+    if (waitMs === null) return;
+    if (this.timer !== null) clearTimeout(this.timer);
+    this.timer = setTimeout(() => {
+      this.timer = null;
+      this.compare();
+    }, waitMs);
+  }
+
+  /** null: not before something else happens. */
+  private waitMs(): number | null {
+    const { store, now } = this.parts;
+    const open = store.openClip.peek();
+    const studyWaits = open !== null && open.result === null && open.failure === null;
+    if (studyWaits && store.compare.page.peek() === 'study') return null;
+    if (!store.reading.peek()) return settleMs;
+    if (this.underWay || this.told.size < growth * this.compared) return null;
+    return Math.max(settleMs, this.endedMs + restForCost * this.costMs - now());
+  }
+
+  private compare(): void {
+    const { store, comparer, now } = this.parts;
+    const { settings, comparing } = store.compare;
+    const startedMs = now();
+    const clips = this.told.size;
+    this.changed = false;
+    this.underWay = true;
+    comparing.value = 0;
+    const onProgress = ({ done }: { done: number }): void => {
+      comparing.value = done;
+    };
+    comparer
+      .compare(settings.peek(), { onProgress })
+      .then(async (comparison) => {
+        const cut = await this.cutOf(comparison, store.compare.cutClusters.peek());
+        this.accept(comparison, cut);
+        Object.assign(this, { compared: clips, endedMs: now(), costMs: now() - startedMs });
+        this.end();
+      })
+      .catch((error: unknown) => {
+        // A newer one is under way.
+        if (isAbort(error)) return;
+        this.parts.tellError(error);
+        this.end();
+      });
+  }
+
+  private end(): void {
+    this.underWay = false;
+    this.parts.store.compare.comparing.value = null;
+    this.schedule();
+  }
+
+  private cutOf({ clips, automaticClusters }: Comparison, wanted: number | null): Promise<Cut> {
+    const clusters = Math.min(clips.length, wanted ?? automaticClusters);
+    return this.parts.comparer.cut(clusters);
+  }
+
+  private accept(comparison: Comparison, cut: Cut): void {
+    const { store } = this.parts;
+    this.cuts.forget();
+    batch(() => {
+      store.compare.comparison.value = comparison;
+      store.compare.cut.value = cut;
+    });
+    const isFull = !this.changed && !store.reading.peek();
+    if (isFull) performance.mark(fullMark, { detail: comparison.clips.length });
+  }
+
+  private clear(): void {
+    const { comparison, cut } = this.parts.store.compare;
+    if (comparison.peek() === null) return;
+    this.compared = 0;
+    this.cuts.forget();
+    batch(() => {
+      comparison.value = null;
+      cut.value = null;
+    });
+  }
+}
+
+/** What exports call a clip. */
+function nameOf({ folder, name }: Clip['source']): string {
+  return folder === '' ? name : `${folder}/${name}`;
+}

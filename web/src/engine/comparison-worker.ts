@@ -1,0 +1,182 @@
+/**
+ * What the comparison's worker does: features and requests go in, outcomes with arrays to be handed
+ * over come out. One set of clips lives here; its comparison made last answers.
+ */
+import { transfer } from 'comlink';
+import type { ComparisonApi, FeatureNews } from './comparison-protocol';
+import { unpackFeature } from './comparison-protocol';
+import type { ComparisonCore, CoreSet } from './comparison-raw';
+import type {
+  Comparison,
+  ComparisonExportKind,
+  ComparisonSettings,
+  Cut,
+  Evaluation,
+  Explanation,
+  LabelledCut,
+  MatrixPicture,
+  MatrixRegion,
+  Neighbour,
+  PostureSequence,
+  Warping,
+  WarpSettings,
+} from './comparison-types';
+import { CoreFailure } from './core-failure';
+import { failureOf } from './failures';
+import { buffersOf } from './handing-over';
+import type { JobId, Outcome, WorkerListener } from './protocol';
+import { Cancelled, Jobs } from './turns';
+import type { ClipId } from './types';
+
+/** Progress is told at most so often. */
+const PROGRESS_MS = 50;
+
+export class ComparisonWorker implements ComparisonApi {
+  private readonly loading: Promise<{ core: ComparisonCore; set: CoreSet }>;
+  private readonly jobs = new Jobs();
+  private listener: WorkerListener | null = null;
+  /** Comparisons and pictures are made one after another: the set has room for one of each. */
+  private comparing: Promise<unknown> = Promise.resolve();
+  private picturing: Promise<unknown> = Promise.resolve();
+  /** How many comparisons have been made: a picture begun before the newest begins again. */
+  private made = 0;
+
+  constructor(loading: Promise<ComparisonCore>) {
+    this.loading = loading.then((core) => ({ core, set: core.newSet() }));
+    this.loading.catch(() => undefined);
+  }
+
+  listen(listener: WorkerListener): void {
+    this.listener = listener;
+  }
+
+  cancel(job: JobId): void {
+    this.jobs.cancel(job);
+  }
+
+  compare(
+    job: JobId,
+    settings: ComparisonSettings,
+    news: FeatureNews,
+  ): Promise<Outcome<Comparison>> {
+    return this.outcome(job, (set) => {
+      tell(set, news);
+      const work = this.comparing.then(async () => {
+        await this.jobs.turn(job);
+        set.begin(settings);
+        await this.steps(job, () => set.step());
+        this.made += 1;
+        return set.comparison(settings);
+      });
+      this.comparing = work.catch(() => undefined);
+      return work;
+    });
+  }
+
+  cut(job: JobId, clusters: number): Promise<Outcome<Cut>> {
+    return this.outcome(job, (set) => set.cut(clusters));
+  }
+
+  picture(job: JobId, region: MatrixRegion): Promise<Outcome<MatrixPicture>> {
+    return this.outcome(job, (set) => {
+      const work = this.picturing.then(() => this.draw(job, set, region));
+      this.picturing = work.catch(() => undefined);
+      return work;
+    });
+  }
+
+  explain(job: JobId, a: ClipId, b: ClipId): Promise<Outcome<Explanation>> {
+    return this.outcome(job, (set) => set.explain(a, b));
+  }
+
+  neighbours(job: JobId, clip: ClipId, most: number): Promise<Outcome<readonly Neighbour[]>> {
+    return this.outcome(job, (set) => set.neighbours(clip, most));
+  }
+
+  evaluate(job: JobId, labelled: LabelledCut): Promise<Outcome<Evaluation>> {
+    return this.outcome(job, (set) => set.evaluate(labelled));
+  }
+
+  exportFile(
+    job: JobId,
+    kind: ComparisonExportKind,
+    labelled: LabelledCut,
+  ): Promise<Outcome<Blob>> {
+    return this.outcome(job, (set) => set.exportFile(kind, labelled));
+  }
+
+  warp(
+    job: JobId,
+    a: PostureSequence,
+    b: PostureSequence,
+    settings: WarpSettings,
+  ): Promise<Outcome<Warping>> {
+    return this.outcome(job, async (_, core) => {
+      const warping = core.newWarping(a, b, settings);
+      try {
+        await this.steps(job, () => warping.step());
+        return warping.warping();
+      } finally {
+        warping.free();
+      }
+    });
+  }
+
+  private async draw(job: JobId, set: CoreSet, region: MatrixRegion): Promise<MatrixPicture> {
+    for (;;) {
+      const { made } = this;
+      set.beginPicture(region);
+      await this.steps(job, () => (this.made === made ? set.stepPicture() : 1));
+      if (this.made === made) return set.takePicture();
+    }
+  }
+
+  /** Steps until one says 1, with a look at messages between whenever it is time. */
+  private async steps(job: JobId, step: () => number): Promise<void> {
+    let toldMs = performance.now();
+    for (let done = 0; done < 1;) {
+      while (done < 1 && !this.jobs.isTurnOver()) done = step();
+      const now = performance.now();
+      if (now - toldMs >= PROGRESS_MS) {
+        toldMs = now;
+        this.listener?.progress(job, { stage: 'analysing', done });
+      }
+      if (this.jobs.isTurnOver()) await this.jobs.turn(job);
+    }
+  }
+
+  private async outcome<T>(
+    job: JobId,
+    work: (set: CoreSet, core: ComparisonCore) => T | Promise<T>,
+  ): Promise<Outcome<T>> {
+    this.jobs.begin(job);
+    const memory = { wasmBytes: 0, motionBytes: 0 };
+    try {
+      const { core, set } = await this.ready();
+      memory.wasmBytes = core.memoryBytes();
+      const value = await work(set, core);
+      return transfer({ status: 'done', value, memory }, buffersOf(value));
+    } catch (error) {
+      if (error instanceof CoreFailure) return { status: 'failed', failure: error.failure, memory };
+      if (error instanceof Cancelled) return { status: 'cancelled', memory };
+      return { status: 'trapped', message: String(error) };
+    } finally {
+      this.jobs.end(job);
+    }
+  }
+
+  private async ready(): Promise<{ core: ComparisonCore; set: CoreSet }> {
+    try {
+      return await this.loading;
+    } catch (error) {
+      throw new CoreFailure(failureOf('engine-unavailable', String(error)));
+    }
+  }
+}
+
+function tell(set: CoreSet, { clips, names, values, gone }: FeatureNews): void {
+  for (const clip of gone) set.removeFeature(clip);
+  clips.forEach((clip, index) => {
+    set.setFeature(clip, names[index] ?? '', unpackFeature(values, index, 0));
+  });
+}
