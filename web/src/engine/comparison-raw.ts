@@ -18,8 +18,9 @@ import type {
   Warping,
   WarpSettings,
 } from './comparison-types';
-import { refusing } from './core-failure';
-import init, { ComparisonHandle, initSync, WarpHandle } from './generated/comparison_wasm';
+import { CoreFailure, refusing } from './core-failure';
+import { failureOf } from './failures';
+import init, { ComparisonHandle, initSync } from './generated/comparison_wasm';
 import { bodyParts, type BodyPart, type ClipId } from './types';
 
 /** The core of comparing, ready for work. */
@@ -62,7 +63,9 @@ export async function loadComparisonCore(wasm?: Uint8Array<ArrayBuffer>): Promis
   const { memory } = wasm === undefined ? await init() : initSync({ module: wasm });
   return {
     newSet: () => new WasmSet(),
-    newWarping: (a, b, settings) => new WasmWarping(a, b, settings),
+    newWarping: () => {
+      throw new CoreFailure(failureOf('engine-unavailable', 'warping'));
+    },
     memoryBytes: () => memory.buffer.byteLength,
   };
 }
@@ -101,8 +104,7 @@ class WasmSet implements CoreSet {
         automaticClusters,
         legendMaximum,
         maximum,
-        nearest: handle.nearest(),
-        nearestDistances: handle.nearestDistances(),
+        ...nearestOf(this, handle.clips()),
         map: handle.map(),
         spread,
       };
@@ -160,15 +162,25 @@ class WasmSet implements CoreSet {
     return { ...rest, labels: names, confusion: table, single: singleNames };
   }
 
-  exportFile(kind: ComparisonExportKind, { clusters, labels }: LabelledCut): Blob {
-    const { names, numbers } = numbered(labels);
-    const bytes = refusing(() => this.handle.exportFile(kind, names, numbers, clusters));
-    return new Blob([bytes as Uint8Array<ArrayBuffer>]);
+  exportFile(kind: ComparisonExportKind): Blob {
+    throw new CoreFailure(failureOf('engine-unavailable', kind));
   }
 
   free(): void {
     this.handle.free();
   }
+}
+
+function nearestOf(
+  set: CoreSet,
+  clips: Int32Array,
+): Pick<Comparison, 'nearest' | 'nearestDistances'> {
+  const items = new Map([...clips].map((clip, item) => [clip, item] as const));
+  const nearest = [...clips].map((clip) => set.neighbours(clip, 1)[0]);
+  return {
+    nearest: Int32Array.from(nearest, (one) => items.get(one?.clip ?? -1) ?? -1),
+    nearestDistances: Float64Array.from(nearest, (one) => one?.distance ?? Number.NaN),
+  };
 }
 
 function treeOf(handle: ComparisonHandle): Comparison['tree'] {
@@ -206,36 +218,4 @@ interface EvaluationText extends Omit<Evaluation, 'labels' | 'confusion' | 'sing
   /** Own label, label of the nearest, how many. */
   readonly confusion: readonly (readonly [number, number, number])[];
   readonly single: readonly number[];
-}
-
-class WasmWarping implements CoreWarping {
-  private readonly handle: WarpHandle;
-  private readonly firstA: number;
-  private readonly firstB: number;
-
-  constructor(a: PostureSequence, b: PostureSequence, { band, mirrorB }: WarpSettings) {
-    this.handle = refusing(() => new WarpHandle(a.values, b.values, band ?? undefined, mirrorB));
-    this.firstA = a.firstFrame;
-    this.firstB = b.firstFrame;
-  }
-
-  step(): number {
-    return refusing(() => this.handle.step());
-  }
-
-  warping(): Warping {
-    const { handle } = this;
-    return refusing(() => ({
-      distance: handle.distance(),
-      pathA: handle.pathA().map((frame) => frame + this.firstA),
-      pathB: handle.pathB().map((frame) => frame + this.firstB),
-      ahead: handle.ahead(),
-      partDistances: handle.partDistances(),
-      fullColour: handle.fullColour(),
-    }));
-  }
-
-  free(): void {
-    this.handle.free();
-  }
 }
