@@ -32,56 +32,61 @@ export function labelledCut({ compare, labels }: Store): LabelledCut | null {
 
 /** Returns what ends it. */
 export function followSelection(store: Store, comparer: Comparer): () => void {
-  const { compare } = store;
-  // A failure is that of the comparison, which tells it, or of one that has been replaced meanwhile.
-  const quiet = (): void => undefined;
-  const explanations = new LatestAnswer<Explanation>(
-    (found) => (compare.explanation.value = found),
-    quiet,
-  );
-  const neighbours = new LatestAnswer<readonly Neighbour[]>(
-    (found) => (compare.neighbours.value = found),
-    quiet,
-  );
-  const evaluations = new LatestAnswer<Evaluation>(
-    (found) => (compare.evaluation.value = found),
-    quiet,
-  );
   const ends = [
-    effect(() => {
-      const [comparison, a, b] = [
-        compare.comparison.value,
-        store.openId.value,
-        compare.otherId.value,
-      ];
-      if (isIn(comparison, a) && isIn(comparison, b) && a !== b) {
-        explanations.ask(() => comparer.explain(a, b));
-        return;
-      }
-      explanations.forget();
-      compare.explanation.value = null;
-    }),
-    effect(() => {
-      const [comparison, a] = [compare.comparison.value, store.openId.value];
-      if (isIn(comparison, a)) {
-        neighbours.ask(() => comparer.neighbours(a, mostNeighbours));
-        return;
-      }
-      neighbours.forget();
-      compare.neighbours.value = [];
-    }),
-    effect(() => {
-      const labelled = labelledCut(store);
-      if (labelled?.labels.some((label) => label !== null)) {
-        evaluations.ask(() => comparer.evaluate(labelled));
-        return;
-      }
-      evaluations.forget();
-      compare.evaluation.value = null;
-    }),
+    explainSelection(store, comparer),
+    findNeighbours(store, comparer),
+    evaluateLabels(store, comparer),
     effect(() => leaveRemoved(store)),
   ];
   return () => ends.forEach((end) => end());
+}
+
+// A failure is that of the comparison, which tells it, or of one that has been replaced meanwhile.
+const quiet = (): void => undefined;
+
+function explainSelection({ openId, compare }: Store, comparer: Comparer): () => void {
+  const { comparison, otherId, explanation } = compare;
+  const answers = new LatestAnswer<Explanation>((found) => (explanation.value = found), quiet);
+  return effect(() => {
+    const [a, b] = [openId.value, otherId.value];
+    if (isIn(comparison.value, a) && isIn(comparison.value, b) && a !== b) {
+      answers.ask(() => comparer.explain(a, b));
+      return;
+    }
+    answers.forget();
+    explanation.value = null;
+  });
+}
+
+function findNeighbours({ openId, compare }: Store, comparer: Comparer): () => void {
+  const { comparison, neighbours } = compare;
+  const answers = new LatestAnswer<readonly Neighbour[]>(
+    (found) => (neighbours.value = found),
+    quiet,
+  );
+  return effect(() => {
+    const clip = openId.value;
+    if (isIn(comparison.value, clip)) {
+      answers.ask(() => comparer.neighbours(clip, mostNeighbours));
+      return;
+    }
+    answers.forget();
+    neighbours.value = [];
+  });
+}
+
+function evaluateLabels(store: Store, comparer: Comparer): () => void {
+  const { evaluation } = store.compare;
+  const answers = new LatestAnswer<Evaluation>((found) => (evaluation.value = found), quiet);
+  return effect(() => {
+    const labelled = labelledCut(store);
+    if (labelled?.labels.some((label) => label !== null)) {
+      answers.ask(() => comparer.evaluate(labelled));
+      return;
+    }
+    answers.forget();
+    evaluation.value = null;
+  });
 }
 
 /** A clip that is gone, or that has become the open one, is not the other one any more. */
