@@ -1,7 +1,11 @@
 //! Distances of all pairs of `items` things, as SciPy keeps them: in a row for every thing, only the
 //! pairs with a later one.
 
+use crate::distance::euclidean;
+use crate::feature::{FEATURE_LENGTH, Vector};
+use std::array;
 use std::ops::Range;
+use wide::f64x4;
 
 /// The upper triangle of a symmetric matrix without its diagonal, row by row.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +30,28 @@ impl Condensed {
             for column in row + 1..items {
                 values.push(value(row, column));
             }
+        }
+        Self { items, values }
+    }
+
+    /// The Euclidean distances of vectors, as [`crate::distance::euclidean`] finds each.
+    #[must_use]
+    pub fn of_vectors(vectors: &[Vector]) -> Self {
+        let items = vectors.len();
+        let components: [Vec<f64>; FEATURE_LENGTH] =
+            array::from_fn(|k| vectors.iter().map(|vector| vector[k]).collect());
+        let mut values = Vec::with_capacity(items * items.saturating_sub(1) / 2);
+        for (row, vector) in vectors.iter().enumerate() {
+            let mut column = row + 1;
+            while column + 4 <= items {
+                values.extend(four_distances(vector, &components, column));
+                column += 4;
+            }
+            values.extend(
+                vectors[column.min(items)..]
+                    .iter()
+                    .map(|other| euclidean(vector, other)),
+            );
         }
         Self { items, values }
     }
@@ -70,4 +96,19 @@ impl Condensed {
         self.values.truncate(place);
         self.items = kept.len();
     }
+}
+
+/// The distances of a vector from the four that begin at `column`.
+fn four_distances(
+    vector: &Vector,
+    components: &[Vec<f64>; FEATURE_LENGTH],
+    column: usize,
+) -> [f64; 4] {
+    let mut sum = f64x4::splat(0.0);
+    for (&value, others) in vector.iter().zip(components) {
+        let four: [f64; 4] = array::from_fn(|lane| others[column + lane]);
+        let apart = f64x4::splat(value) - f64x4::from(four);
+        sum += apart * apart;
+    }
+    sum.sqrt().to_array()
 }

@@ -18,13 +18,6 @@ use chain::Chain;
 use on_centroids::OnCentroids;
 use on_matrix::{GroupAverageRule, OnMatrix, WardRule};
 
-/// The Euclidean distance of two vectors.
-#[must_use]
-pub fn euclidean(one: &Vector, other: &Vector) -> f64 {
-    let squares = one.iter().zip(other).map(|(a, b)| (a - b) * (a - b));
-    squares.sum::<f64>().sqrt()
-}
-
 /// Ward's linkage of vectors by their Euclidean distances. The height of a merge is the distance
 /// `sqrt(2 · m · n / (m + n)) · |c_m − c_n|` of the two centroids c, for clusters of m and n items:
 /// SciPy's scale.
@@ -62,9 +55,7 @@ impl WardSteps {
         let walk = if vectors.len() > MOST_ON_MATRIX {
             WardWalk::OnCentroids(Chain::of(OnCentroids::of(vectors)))
         } else {
-            let distance = |row: usize, column: usize| euclidean(&vectors[row], &vectors[column]);
-            let condensed = Condensed::from_fn(vectors.len(), distance);
-            WardWalk::OnMatrix(Chain::of(OnMatrix::of(condensed)))
+            WardWalk::OnMatrix(Chain::of(OnMatrix::of(Condensed::of_vectors(vectors))))
         };
         Self { walk }
     }
@@ -85,6 +76,12 @@ impl WardSteps {
             WardWalk::OnCentroids(chain) => chain.finish(),
         }
     }
+}
+
+/// [`group_average`] that needs no memory beside the matrix, and uses it up.
+#[must_use]
+pub fn group_average_in_place(condensed: Condensed) -> Dendrogram {
+    GroupAverageSteps::in_place(condensed).finish()
 }
 
 /// [`group_average`] in pieces.

@@ -14,9 +14,7 @@ const TOLERANCE: f64 = 1e-9;
 fn condensed_matrix_is_that_of_scipy() {
     let Some(golden) = golden() else { return };
     let vectors = vectors(&golden["features"]);
-    let condensed = Condensed::from_fn(vectors.len(), |row, column| {
-        linkage::euclidean(&vectors[row], &vectors[column])
-    });
+    let condensed = Condensed::of_vectors(&vectors);
     let expected = numbers(&golden["condensed"]);
     assert_eq!(condensed.values.len(), expected.len());
     for (found, expected) in condensed.values.iter().zip(&expected) {

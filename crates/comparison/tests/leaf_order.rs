@@ -1,6 +1,7 @@
 //! The order of leaves: the cheapest of all where there are few, whole and turned where there are many.
 
 use comparison::dendrogram::Dendrogram;
+use comparison::distance::euclidean;
 use comparison::feature::{FEATURE_LENGTH, Vector};
 use comparison::leaf_order::{self, MOST_OPTIMAL_LEAVES, OrderSteps};
 use comparison::linkage;
@@ -17,7 +18,7 @@ proptest! {
     #[test]
     fn no_turning_of_branches_is_cheaper(vectors in vectors(10)) {
         let tree = linkage::ward(&vectors);
-        let distance = |one: usize, other: usize| linkage::euclidean(&vectors[one], &vectors[other]);
+        let distance = |one: usize, other: usize| euclidean(&vectors[one], &vectors[other]);
         let order = leaf_order::optimal(&tree, &distance);
         let least = all_orders(&tree, 2 * tree.items - 2)
             .iter()
@@ -33,7 +34,7 @@ proptest! {
     fn equal_distances_have_an_order(vectors in prop::collection::vec(0..3_u8, 1..80)) {
         let vectors: Vec<Vector> = vectors.iter().map(|&value| [f64::from(value); 12]).collect();
         let tree = linkage::ward(&vectors);
-        let distance = |one: usize, other: usize| linkage::euclidean(&vectors[one], &vectors[other]);
+        let distance = |one: usize, other: usize| euclidean(&vectors[one], &vectors[other]);
         assert_allowed(&tree, &leaf_order::optimal(&tree, &distance).leaves);
     }
 }

@@ -15,9 +15,7 @@ fn vectors(most: usize) -> impl Strategy<Value = Vec<Vector>> {
 }
 
 fn distances(vectors: &[Vector]) -> Condensed {
-    Condensed::from_fn(vectors.len(), |row, column| {
-        linkage::euclidean(&vectors[row], &vectors[column])
-    })
+    Condensed::of_vectors(vectors)
 }
 
 proptest! {

@@ -57,9 +57,7 @@ fn linked(case: &Value) -> Dendrogram {
     if case["method"] == "ward" {
         return linkage::ward(&vectors);
     }
-    linkage::group_average(&Condensed::from_fn(vectors.len(), |row, column| {
-        linkage::euclidean(&vectors[row], &vectors[column])
-    }))
+    linkage::group_average(&Condensed::of_vectors(&vectors))
 }
 
 fn assert_same(name: &str, found: &[Merge], expected: &[Merge]) {

@@ -15,7 +15,7 @@ use comparison::distance::euclidean;
 use comparison::distances::Distances;
 use comparison::feature::Vector;
 use comparison::leaf_order::optimal;
-use comparison::linkage::{group_average, ward};
+use comparison::linkage::{group_average_in_place, ward};
 use comparison::map::of_vectors;
 use comparison::picture::{Picture, PictureRun, Region};
 use motion::report::json::Json;
@@ -75,7 +75,7 @@ fn by_keypose(method: &str, count: &str) -> Option<String> {
     let vectors = vectors_of(count)?;
     let make = match method {
         "ward" => |vectors: &[Vector]| ward(vectors),
-        "average" => |vectors: &[Vector]| group_average(&condensed(vectors)),
+        "average" => |vectors: &[Vector]| group_average_in_place(Condensed::of_vectors(vectors)),
         _ => return None,
     };
     let (tree, ms) = once(|| make(&vectors));
@@ -120,10 +120,6 @@ fn vectors_of(count: &str) -> Option<Vec<Vector>> {
     let values = heaped(count.parse().ok()?);
     let (vectors, _) = values.as_chunks::<WIDTH>();
     Some(vectors.to_vec())
-}
-
-fn condensed(vectors: &[Vector]) -> Condensed {
-    Condensed::from_fn(vectors.len(), |a, b| euclidean(&vectors[a], &vectors[b]))
 }
 
 /// Condensed, in the order of SciPy, which is kodama's.

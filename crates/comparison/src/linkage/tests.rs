@@ -1,14 +1,13 @@
 //! The walk over centroids against the one over the matrix, where both can go.
 
-use super::{Chain, OnCentroids, OnMatrix, WardRule, euclidean};
+use super::{Chain, OnCentroids, OnMatrix, WardRule};
 use crate::condensed::Condensed;
 use crate::dendrogram::Dendrogram;
 use crate::feature::Vector;
 use proptest::prelude::*;
 
 fn on_matrix(vectors: &[Vector]) -> Dendrogram {
-    let distance = |row: usize, column: usize| euclidean(&vectors[row], &vectors[column]);
-    let condensed = Condensed::from_fn(vectors.len(), distance);
+    let condensed = Condensed::of_vectors(vectors);
     Chain::of(OnMatrix::<WardRule>::of(condensed)).finish()
 }
 
