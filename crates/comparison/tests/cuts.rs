@@ -94,8 +94,8 @@ fn mojena_of_little_is_one_cluster() {
     assert_eq!(mojena::mojena(&[2.0; 5], 1.25), 1);
 }
 
-/// Six items along one component: 0, 2, 10, 12 … as three pairs would bound G at two: −5, −4, −3 and
-/// 3, 4, 5. n = 6, d = 1 (the other components do not vary).
+/// Six items that differ in one component: −5, −4, −3 and 3, 4, 5. n = 6, so G is 1 or 2; d = 1, since
+/// the other components do not vary.
 ///
 /// G = 1: mean 0, squares 2 · (25 + 16 + 9) = 100, v = 100 / 6; ln L = −½ · (6 ln(2π v) + 6);
 /// p = 0 + 1 + 1 = 2; BIC = −6 ln(2π · 100 / 6) − 6 − 2 ln 6 = −37.4915….
