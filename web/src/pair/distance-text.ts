@@ -27,8 +27,10 @@ export function distanceText({ store, language }: Context, found: Explanation): 
   return {
     number: words.format.decimal(found.distance, DIGITS),
     rank:
-      rank === 1
-        ? words.t('pair.rank.nearest', count)
-        : words.t('pair.rank', words.format.ordinal(rank), count),
+      others === 1
+        ? ''
+        : rank === 1
+          ? words.t('pair.rank.nearest', count)
+          : words.t('pair.rank', words.format.ordinal(rank), count),
   };
 }
