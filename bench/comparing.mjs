@@ -39,8 +39,8 @@ export function compareInApp(address, { folder }, workers) {
     await app.drop(folder);
     await app.page.locator('.top-bar').getByText('Compare', { exact: true }).click();
     await app.until((ms) => {
-      const { comparedMs } = window.probe;
-      return comparedMs > 0 && performance.now() - comparedMs > ms;
+      const { comparedMs, firstPictureMs } = window.probe;
+      return comparedMs > 0 && firstPictureMs > 0 && performance.now() - comparedMs > ms;
     }, QUIET_MS);
     const { droppedMs, firstPictureMs, comparedMs, longestTaskMs } = await app.probe();
     return {
