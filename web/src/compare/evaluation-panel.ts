@@ -129,7 +129,7 @@ function empty({ t }: Words, labelled: boolean): TemplateResult {
       labelled
         ? nothing
         : html`<button type="button" class="button line" @click=${openLabelDialog}>
-            ${t('labels.pattern.choose')}
+            ${t('labels.from-names.choose')}
           </button>`
     }
   </div>`;

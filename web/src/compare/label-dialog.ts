@@ -121,7 +121,10 @@ export function createLabelDialog({ store, compareActions, language }: Context):
     const rule = store.compare.labelRule.peek();
     pattern.value = rule.kind === 'pattern' ? rule.pattern : usualPattern;
     place(element);
-    element.querySelector('input')?.select();
+    // The field is drawn with the next frame.
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => element.querySelector('input')?.select()),
+    );
   };
   const apply = (): void => {
     compareActions.setLabelRule({ kind: 'pattern', pattern: pattern.peek() });

@@ -9,7 +9,7 @@ import { labelMark } from '../common/label-mark';
 import type { Neighbour } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
-import { rowWindow } from '../library/row-window';
+import { rowWindow, scrollToRow } from '../library/row-window';
 import { distanceDigits, mirrorSign, shortName, type LabelOf } from './clip-words';
 
 export const neighbourHeightPx = 44;
@@ -80,6 +80,17 @@ function row(
   </li>`;
 }
 
+/** In sight and in focus; the row is drawn with the next frame. */
+function bringTo(list: HTMLElement, place: number, clip: ClipId): void {
+  const { scrollTop, clientHeight } = list;
+  list.scrollTop = scrollToRow(place, neighbourHeightPx, scrollTop, clientHeight);
+  requestAnimationFrame(() =>
+    requestAnimationFrame(() =>
+      list.querySelector<HTMLElement>(`[data-neighbour="${clip}"]`)?.focus({ preventScroll: true }),
+    ),
+  );
+}
+
 function onKey(props: NeighbourListProps, event: KeyboardEvent): void {
   const { neighbours, otherId, onChoose } = props;
   const last = neighbours.length - 1;
@@ -88,8 +99,11 @@ function onKey(props: NeighbourListProps, event: KeyboardEvent): void {
   const next = { ArrowDown: index + 1, ArrowUp: index - 1, Home: 0, End: last }[event.key];
   if (next === undefined) return;
   event.preventDefault();
-  const chosen = neighbours[Math.max(0, Math.min(last, next))];
-  if (chosen) onChoose(chosen.clip);
+  const place = Math.max(0, Math.min(last, next));
+  const chosen = neighbours[place];
+  if (!chosen) return;
+  onChoose(chosen.clip);
+  bringTo(event.currentTarget as HTMLElement, place, chosen.clip);
 }
 
 export function neighbourList(props: NeighbourListProps): TemplateResult {
@@ -105,19 +119,19 @@ export function neighbourList(props: NeighbourListProps): TemplateResult {
   const inSight = neighbours.slice(first, end);
   const hasChosen = inSight.some(({ clip }) => clip === otherId);
   const onScroll = (event: Event): void => props.onScroll((event.target as HTMLElement).scrollTop);
-  return html`<div
-    class="neighbour-list"
-    @scroll=${onScroll}
-    @keydown=${(event: KeyboardEvent) => onKey(props, event)}
-  >
-    <h3 class="neighbour-title">${words.t('neighbours.nearest-to', shortName(a))}</h3>
-    <ol ${styled({ height: `${neighbours.length * neighbourHeightPx}px` })}>
-      ${repeat(
-        inSight,
-        ({ clip }) => clip,
-        (one, offset) =>
-          row(props, one, first + offset, hasChosen ? one.clip === otherId : offset === 0),
-      )}
-    </ol>
-  </div>`;
+  return html`<h3 class="neighbour-title">${words.t('neighbours.nearest-to', shortName(a))}</h3>
+    <div
+      class="neighbour-list"
+      @scroll=${onScroll}
+      @keydown=${(event: KeyboardEvent) => onKey(props, event)}
+    >
+      <ol ${styled({ height: `${neighbours.length * neighbourHeightPx}px` })}>
+        ${repeat(
+          inSight,
+          ({ clip }) => clip,
+          (one, offset) =>
+            row(props, one, first + offset, hasChosen ? one.clip === otherId : offset === 0),
+        )}
+      </ol>
+    </div>`;
 }

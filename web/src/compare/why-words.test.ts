@@ -19,7 +19,8 @@ function said(explanation: Explanation, language: Language = 'en'): string {
   return text.replace(/[\ue000-\ue0ff]/g, (sign) => {
     const mark = marks[sign.charCodeAt(0) - 0xe000];
     if (mark.kind === 'clip') return mark.which.toUpperCase();
-    return mark.kind === 'symbol' ? `σ${mark.component}` : mark.text;
+    if (mark.kind === 'symbol') return `σ${mark.component}`;
+    return mark.text.replace('\u00a0', ' ');
   });
 }
 

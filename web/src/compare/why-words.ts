@@ -65,7 +65,8 @@ class Writer {
 
   percent(share: number): string {
     const { t, format } = this.words;
-    return this.mark({ kind: 'strong', text: t('unit.percent', format.integer(share * 100)) });
+    const text = t('unit.percent', format.integer(share * 100)).replace(' ', '\u00a0');
+    return this.mark({ kind: 'strong', text });
   }
 
   strong(text: string): string {

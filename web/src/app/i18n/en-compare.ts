@@ -34,6 +34,7 @@ export const englishCompare = {
   'labels.pattern.choose': 'from file name…',
   'labels.hand.choose': 'by hand, in the table',
   'labels.from-names': 'Labels from file names',
+  'labels.from-names.choose': 'Labels from file names…',
   'labels.pattern-field': 'Pattern',
   'labels.about': "{label} stands for the label, * for anything; the file's ending is left out.",
   'labels.matched': { one: '{0} of {1} names matches.', other: '{0} of {1} names match.' },

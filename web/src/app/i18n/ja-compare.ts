@@ -35,6 +35,7 @@ export const japaneseCompare: Readonly<Record<keyof typeof englishCompare, Messa
   'labels.pattern.choose': 'ファイル名から…',
   'labels.hand.choose': '表で手動で付ける',
   'labels.from-names': 'ファイル名からラベルを付ける',
+  'labels.from-names.choose': 'ファイル名からラベルを付ける…',
   'labels.pattern-field': 'パターン',
   'labels.about': '{label} がラベル、* は任意の文字です。拡張子は除いて照合します。',
   'labels.matched': '{1} 件中 {0} 件が一致。',
