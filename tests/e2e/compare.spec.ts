@@ -42,6 +42,13 @@ test('matrix, tree and map show the set; the selection is one', async ({ app, pa
   await expect(page.locator('.map-pill')).toHaveText(/^0\.\d{4}$/);
   await expect(page.locator('.map-figure').first()).toBeVisible();
   await expect(page.locator('.map-spread')).toHaveText(/^\d+ % of the spread$/);
+  // The cells on the diagonal have the colour of the page, as style sheets may shorten it.
+  const diagonal = await page.evaluate(() => {
+    const canvas = document.querySelector<HTMLCanvasElement>('.matrix-canvas');
+    const top = (canvas?.height ?? 0) - (canvas?.width ?? 0);
+    return [...(canvas?.getContext('2d')?.getImageData(1, top + 1, 1, 1).data ?? [])];
+  });
+  expect(diagonal).toEqual([255, 255, 255, 255]);
   const marks = await page.evaluate(() => performance.getEntriesByName('comparison-first-picture'));
   expect(marks).toHaveLength(1);
 });
@@ -116,10 +123,13 @@ test('by keys alone: through the matrix, the names and the map', async ({ app, p
   await point.focus();
   const start = await point.getAttribute('aria-label');
   expect(start).toMatch(/^.+, no label, cluster \d$/);
-  const keys = ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'];
-  for (const key of keys) await page.keyboard.press(key);
-  await expect(point).toBeFocused();
-  await expect(point).not.toHaveAttribute('aria-label', start!);
+  const visited = new Set([start]);
+  for (const key of ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown']) {
+    await page.keyboard.press(key);
+    await expect(point).toBeFocused();
+    visited.add(await point.getAttribute('aria-label'));
+  }
+  expect(visited.size).toBeGreaterThan(1);
 
   await cell(page).focus();
   await page.keyboard.press('Control+Home');

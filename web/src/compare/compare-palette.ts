@@ -25,9 +25,17 @@ export interface ComparePalette {
 
 const range = (count: number): number[] => [...Array(count).keys()];
 
+/** As `#rrggbb`, however the style sheet has been shortened. */
+function sixDigits(context: CanvasRenderingContext2D, colour: string): string {
+  context.fillStyle = colour;
+  return context.fillStyle;
+}
+
 export function comparePalette(element: Element): ComparePalette {
   const style = getComputedStyle(element);
-  const token = (name: string): string => style.getPropertyValue(`--${name}`).trim();
+  const plain = (name: string): string => style.getPropertyValue(`--${name}`).trim();
+  const context = document.createElement('canvas').getContext('2d');
+  const token = (name: string): string => (context ? sixDigits(context, plain(name)) : plain(name));
   return {
     ink: token('t-1'),
     text2: token('t-2'),
@@ -44,7 +52,7 @@ export function comparePalette(element: Element): ComparePalette {
     right: token('right'),
     trunk: token('trunk'),
     shade: token('shade'),
-    inkParts: token('ink'),
+    inkParts: plain('ink'),
     labels: range(6).map((k) => token(`label-${k}`)),
     distances: range(9).map((k) => token(`distance-${k}`)),
   };
