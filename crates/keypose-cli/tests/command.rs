@@ -1,29 +1,11 @@
 //! The command as a person runs it: samples written by itself, keyposes, errors, order.
 
+mod support;
+
 use std::fs;
-use std::path::PathBuf;
-use std::process::{Command, Output};
 
 use serde_json::Value;
-
-/// A folder of its own for a test, emptied before use.
-fn folder(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
-fn keypose(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_keypose"))
-        .args(arguments)
-        .output()
-        .unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
+use support::{folder, keypose, text};
 
 #[test]
 fn samples_are_found_again_by_their_marks() {
