@@ -68,11 +68,11 @@ test('800 wide: the library is a drawer too', async ({ app, page }) => {
   await expect(button).toBeFocused();
 
   await page.keyboard.press('/');
-  await expect(app.field('Filter by name')).toBeFocused();
+  await expect(app.field('Filter by name or label')).toBeFocused();
   await page.keyboard.type('poser');
   await app.expectNames('walk-poser-30.bvh');
   await page.keyboard.press('Escape');
-  await expect(app.field('Filter by name')).toHaveValue('');
+  await expect(app.field('Filter by name or label')).toHaveValue('');
   await expect(library).toBeVisible();
   await page.keyboard.press('Escape');
   await expect(library).toBeHidden();

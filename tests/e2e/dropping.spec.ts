@@ -54,7 +54,7 @@ test('a folder: every motion at any depth, more than a hundred, and nothing else
   await app.openWith(join(folder, 'dances'));
   await expect(page.locator('.library-count')).toHaveText('132 clips');
   await expect(app.toast).toHaveCount(0);
-  await app.field('Filter by name').fill('踊り');
+  await app.field('Filter by name or label').fill('踊り');
   await app.expectNames('踊り.BVH');
   await app.row('踊り.BVH').getByRole('button').first().click();
   await expect(app.section('Result')).toContainText('13 keyposes');

@@ -135,7 +135,7 @@ test('? shows the list; keys are still while it is open, and in fields', async (
   await app.expectFrame(0);
 
   await page.keyboard.press('/');
-  const filter = app.field('Filter by name');
+  const filter = app.field('Filter by name or label');
   await expect(filter).toBeFocused();
   await page.keyboard.type('walk k?');
   await expect(filter).toHaveValue('walk k?');

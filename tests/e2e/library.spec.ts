@@ -32,7 +32,7 @@ test('sort by every measure, filter, and walk', async ({ app, page }) => {
   await expect(app.openName).toHaveText(dance);
   await expect(page.locator('.clip-open[aria-current="true"]')).toHaveCount(1);
 
-  const filter = app.field('Filter by name');
+  const filter = app.field('Filter by name or label');
   await filter.fill('WALK 30');
   await app.expectNames(poser, hik);
   await expect(page.locator('.library-count')).toHaveText('2 of 3');

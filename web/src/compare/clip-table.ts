@@ -165,7 +165,7 @@ function labelCell(props: ClipTableProps, { clip, name, label }: ClipFacts): Tem
     if (event.key === 'Escape') field.value = label ?? '';
     event.preventDefault();
     field.blur();
-    field.closest('tr')?.querySelector<HTMLElement>('.row-name')?.focus();
+    field.closest('tr')?.querySelector<HTMLElement>('.table-name')?.focus();
   };
   return html`<td class="column-label">
     <span
@@ -248,7 +248,7 @@ function clipRow(props: ClipTableProps, facts: ClipFacts, index: number): Templa
     <th scope="row" class="column-name">
       <button
         type="button"
-        class="row-name"
+        class="table-name"
         data-row=${clip.id}
         tabindex=${clip.id === currentId ? 0 : -1}
         @click=${(event: MouseEvent) => onChoose(clip.id, event.shiftKey ? 'b' : 'a')}

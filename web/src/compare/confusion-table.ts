@@ -49,11 +49,11 @@ function cellOf(props: ConfusionProps, own: number, found: number): TemplateResu
   const { labels } = evaluation;
   const { count, kind, paint } = confusionCell(evaluation, own, found);
   const text = words.format.integer(count);
-  if (kind === 'none') return html`<td class="none"><span class="spoken">0</span></td>`;
+  if (kind === 'none') return html`<td class="cell-none"><span class="spoken">0</span></td>`;
   if (kind !== 'wrong')
-    return html`<td class=${kind} ${styled({ '--paint': `${paint}%` })}>${text}</td>`;
+    return html`<td class="cell-${kind}" ${styled({ '--paint': `${paint}%` })}>${text}</td>`;
   const about = words.t('evaluation.taken-for', labels[own] ?? '', labels[found] ?? '');
-  return html`<td class="wrong">
+  return html`<td class="cell-wrong">
     <button
       type="button"
       title=${about}

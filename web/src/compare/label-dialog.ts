@@ -79,7 +79,8 @@ function form(words: Words, draft: Draft, onApply: () => void): TemplateResult {
   };
   const onSubmit = (event: Event): void => {
     event.preventDefault();
-    if (preview.fault === null) onApply();
+    // What has been written since the last drawing counts too.
+    if (draft.preview.peek().fault === null) onApply();
   };
   return html`<form class="label-form" @submit=${onSubmit}>
     <label for="label-pattern">${t('labels.pattern-field')}</label>
@@ -89,6 +90,7 @@ function form(words: Words, draft: Draft, onApply: () => void): TemplateResult {
         type="text"
         autocomplete="off"
         spellcheck="false"
+        autofocus
         aria-describedby="label-about"
         aria-invalid=${String(preview.fault !== null)}
         .value=${live(draft.pattern.value)}
@@ -121,20 +123,13 @@ export function createLabelDialog({ store, compareActions, language }: Context):
     const rule = store.compare.labelRule.peek();
     pattern.value = rule.kind === 'pattern' ? rule.pattern : usualPattern;
     place(element);
-    // The field is drawn with the next frame.
-    requestAnimationFrame(() =>
-      requestAnimationFrame(() => element.querySelector('input')?.select()),
-    );
   };
   const apply = (): void => {
     compareActions.setLabelRule({ kind: 'pattern', pattern: pattern.peek() });
     close();
   };
   return {
-    template: () =>
-      popover(language.words.value, onToggle, (words) =>
-        isOpen.value ? form(words, draft, apply) : nothing,
-      ),
+    template: () => popover(language.words.value, onToggle, (words) => form(words, draft, apply)),
   };
 }
 

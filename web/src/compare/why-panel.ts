@@ -80,7 +80,7 @@ function explained(props: WhyPanelProps, explanation: Explanation): TemplateResu
             ${paintedBody(words, explanation.partShares)}
           </div>
         </div>`;
-  return html`<div class=${outdated ? 'outdated' : ''}>
+  return html`<div class=${outdated ? 'dimmed' : ''}>
     ${whySentence(words, explanation, { a: name(a), b: name(b) })}${bars}
   </div>`;
 }

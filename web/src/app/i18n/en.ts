@@ -65,7 +65,7 @@ export const en = {
   'library.add': 'Add motions',
   'library.add.files': 'Add files…',
   'library.add.folder': 'Add a folder…',
-  'library.filter': 'Filter by name',
+  'library.filter': 'Filter by name or label',
   'library.filter.clear': 'Clear the filter',
   'library.nothing': 'No clip’s name contains “{0}”.',
   'library.local': 'On this computer only',

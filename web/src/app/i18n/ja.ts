@@ -66,7 +66,7 @@ export const ja: Catalogue = {
   'library.add': '動きを追加',
   'library.add.files': 'ファイルを追加…',
   'library.add.folder': 'フォルダーを追加…',
-  'library.filter': '名前で絞り込み',
+  'library.filter': '名前・ラベルで絞り込む',
   'library.filter.clear': '絞り込みを消す',
   'library.nothing': '名前に「{0}」を含むクリップはありません。',
   'library.local': 'このコンピュータの中だけ',
