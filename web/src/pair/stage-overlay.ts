@@ -25,6 +25,9 @@ export interface StageOverlayProps {
   readonly onView: (view: ViewPreset) => void;
 }
 
+/** Of more clips the stage shows no more than their names. */
+const FEW = 4;
+
 const presets: readonly ViewPreset[] = ['front', 'side', 'top'];
 
 function views({ words: { t }, view, onView }: StageOverlayProps) {
@@ -72,7 +75,7 @@ function sentence({ words: { t }, sentence: text, onLoadAgain }: StageOverlayPro
 
 export function stageOverlay(props: StageOverlayProps): TemplateResult {
   return html`
-    <ul class="pair-plates">
+    <ul class="pair-plates ${props.plates.length > FEW ? 'many' : ''}">
       ${props.plates.map(plate)}
     </ul>
     ${views(props)} ${sentence(props)} ${caption(props)}
