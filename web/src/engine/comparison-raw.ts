@@ -20,7 +20,7 @@ import type {
 } from './comparison-types';
 import { CoreFailure, refusing } from './core-failure';
 import { failureOf } from './failures';
-import init, { ComparisonHandle, initSync } from './generated/comparison_wasm';
+import init, { ComparisonHandle, initSync, WarpHandle } from './generated/comparison_wasm';
 import { bodyParts, type BodyPart, type ClipId } from './types';
 
 /** The core of comparing, ready for work. */
@@ -63,9 +63,7 @@ export async function loadComparisonCore(wasm?: Uint8Array<ArrayBuffer>): Promis
   const { memory } = wasm === undefined ? await init() : initSync({ module: wasm });
   return {
     newSet: () => new WasmSet(),
-    newWarping: () => {
-      throw new CoreFailure(failureOf('engine-unavailable', 'warping'));
-    },
+    newWarping: (a, b, settings) => new WasmWarping(a, b, settings),
     memoryBytes: () => memory.buffer.byteLength,
   };
 }
@@ -218,4 +216,37 @@ interface EvaluationText extends Omit<Evaluation, 'labels' | 'confusion' | 'sing
   /** Own label, label of the nearest, how many. */
   readonly confusion: readonly (readonly [number, number, number])[];
   readonly single: readonly number[];
+}
+
+class WasmWarping implements CoreWarping {
+  private readonly handle: WarpHandle;
+  private readonly a: PostureSequence;
+  private readonly b: PostureSequence;
+
+  constructor(a: PostureSequence, b: PostureSequence, { band, mirrorB }: WarpSettings) {
+    this.a = a;
+    this.b = b;
+    this.handle = refusing(() => new WarpHandle(a.values, b.values, band, mirrorB));
+  }
+
+  step(): number {
+    return refusing(() => this.handle.step());
+  }
+
+  /** The core counts from the first posture, the page from the file's first frame. */
+  warping(): Warping {
+    const { handle, a, b } = this;
+    return refusing(() => ({
+      distance: handle.distance(),
+      pathA: handle.pathA().map((frame) => frame + a.firstFrame),
+      pathB: handle.pathB().map((frame) => frame + b.firstFrame),
+      ahead: handle.ahead(),
+      partDistances: handle.partDistances(),
+      fullColour: handle.fullColour(),
+    }));
+  }
+
+  free(): void {
+    this.handle.free();
+  }
 }
