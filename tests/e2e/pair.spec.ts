@@ -98,6 +98,29 @@ test('a press and a drag on the rows lead the time of the clip that they are', a
   await expect(page.locator('.pair-twin[d]')).toHaveCount(1);
 });
 
+test('warped, each moment stands beside its like: the same walk at half the rate', async ({
+  app,
+  page,
+}) => {
+  const text = sampleText(walk);
+  const half = text.replace(
+    /Frame Time: *([\d.]+)/,
+    (_, time: string) => `Frame Time: ${2 * Number(time)}`,
+  );
+  await openPair(app, ...writeFiles(temporaryFolder(), { 'walk.bvh': text, 'half.bvh': half }));
+  await expect(page.locator('.pair-ahead')).toHaveCount(2);
+  await expect(page.locator('.pair-difference')).toBeVisible();
+  await page.keyboard.press('k');
+  const a = await cardTime(page, 0, 0);
+  await expect.poll(async () => (await times(page))[0]).toBe(a);
+  await expect.poll(async () => (await times(page))[1]).toBeCloseTo(2 * a, 1);
+  await expect(page.locator('.pair-distance > b')).toHaveText('0.0000');
+  await expect(page.locator('.distance-sentence')).toContainText('The same.');
+  // Its mirror image walks with the other foot.
+  await app.button('Mirror B').click();
+  await expect.poll(async () => Math.abs((await times(page))[1] - 2 * a)).toBeGreaterThan(0.1);
+});
+
 test('study and pair hand A’s moment to each other', async ({ app, page }) => {
   await app.openWith(...sampleFiles(walk, run));
   for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight');
