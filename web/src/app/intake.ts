@@ -2,6 +2,7 @@
  * What was dropped or picked in; the motion files in it out, one by one: files, the files of folders
  * at any depth, archives. What else lies in a folder is passed over; what else was given by itself is told.
  */
+import { letMessagesIn } from '../engine/turns';
 import type { ClipSource } from '../engine/types';
 
 /** One thing given: a file, or a folder with everything in it. */
@@ -62,9 +63,27 @@ export async function allEntries(
 const fileOf = (entry: FileSystemFileEntry): Promise<File> =>
   new Promise((resolve, reject) => entry.file(resolve, reject));
 
+interface Found {
+  readonly entry: FileSystemEntry;
+  readonly folder: string;
+  file?: Promise<File>;
+}
+
+/** Files asked for before their turn: each answer takes its time, however small the file. */
+const filesAhead = 32;
+
+function askAhead(waiting: readonly Found[]): void {
+  for (const next of waiting.slice(-filesAhead)) {
+    if (next.entry.isDirectory || !isMotionName(next.entry.name)) continue;
+    next.file ??= fileOf(next.entry as FileSystemFileEntry);
+    // Its error is thrown when its turn comes.
+    next.file.catch(() => undefined);
+  }
+}
+
 /** The motions of a folder and of those in it. */
 export async function* motionsIn(directory: FileSystemDirectoryEntry): AsyncGenerator<ClipSource> {
-  const waiting: { entry: FileSystemEntry; folder: string }[] = [{ entry: directory, folder: '' }];
+  const waiting: Found[] = [{ entry: directory, folder: '' }];
   for (let next = waiting.pop(); next; next = waiting.pop()) {
     const { entry, folder } = next;
     if (entry.isDirectory) {
@@ -72,7 +91,9 @@ export async function* motionsIn(directory: FileSystemDirectoryEntry): AsyncGene
       const entries = await allEntries((entry as FileSystemDirectoryEntry).createReader());
       waiting.push(...entries.reverse().map((child) => ({ entry: child, folder: inside })));
     } else if (isMotionName(entry.name)) {
-      yield { name: entry.name, folder, blob: await fileOf(entry as FileSystemFileEntry) };
+      askAhead(waiting);
+      const file = next.file ?? fileOf(entry as FileSystemFileEntry);
+      yield { name: entry.name, folder, blob: await file };
     }
   }
 }
@@ -97,13 +118,21 @@ async function takeFile({ name, ...rest }: ClipSource, events: IntakeEvents): Pr
   else events.onOther(name);
 }
 
+/** The page answers in between when many files are given: asking a file for its size may take 0.5 ms. */
+const turnMs = 10;
+
 /** Goes through everything given, in order; ends early after an abort. */
 export async function takeIn(
   given: readonly Given[],
   events: IntakeEvents,
   signal: AbortSignal,
 ): Promise<void> {
+  let turnedMs = performance.now();
   for (const item of given) {
+    if (performance.now() - turnedMs > turnMs) {
+      await letMessagesIn();
+      turnedMs = performance.now();
+    }
     if (signal.aborted) return;
     if ('directory' in item) await takeFolder(item.directory, events, signal);
     else await takeFile({ name: item.file.name, folder: item.folder, blob: item.file }, events);

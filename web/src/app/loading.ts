@@ -24,6 +24,8 @@ export interface Loader {
 const tellMs = 60;
 /** What is done within a moment needs no progress. */
 const quietMs = 300;
+/** Files found after the first come into the library together so often. */
+const settleInMs = 100;
 /** When more files than this wait, they are surveyed. */
 const surveyedAbove = 40;
 /** Analyses asked of the engine at a time: more than it has workers. */
@@ -147,7 +149,7 @@ class BatchLoader implements Loader {
     if (batch.arriving.has(key) || this.isThere(key)) batch.known.push(key);
     else batch.arriving.set(key, source);
     if (batch.clips.length === 0) this.settleIn(batch);
-    else batch.timer ??= setTimeout(() => this.settleIn(batch));
+    else batch.timer ??= setTimeout(() => this.settleIn(batch), settleInMs);
   }
 
   private isThere(key: string): boolean {

@@ -5,10 +5,14 @@
 import { readFile } from 'node:fs/promises';
 import { expose, proxy, wrap } from 'comlink';
 import { ClipWorker } from './clip-worker';
-import type { PoolWorker, RemoteWorker, Spawn } from './pool-task';
+import type { ComparisonApi } from './comparison-protocol';
+import { type ComparisonCore, loadComparisonCore } from './comparison-raw';
+import { ComparisonWorker } from './comparison-worker';
+import type { PooledApi, PoolWorker, Remote, Spawn } from './pool-task';
 import type { WorkerApi } from './protocol';
 import { type Core, loadCore } from './raw';
 
+const comparisonFile = new URL('./generated/comparison_wasm_bg.wasm', import.meta.url);
 const wasmFile = new URL('./generated/motion_wasm_bg.wasm', import.meta.url);
 
 /** The core of this thread. */
@@ -16,15 +20,29 @@ export async function testCore(): Promise<Core> {
   return loadCore(new Uint8Array(await readFile(wasmFile)));
 }
 
+/** The core of comparing of this thread. */
+export async function testComparisonCore(): Promise<ComparisonCore> {
+  return loadComparisonCore(new Uint8Array(await readFile(comparisonFile)));
+}
+
 /** Starts a worker in this thread around `core`. */
 export function spawnAround(core: Core): Spawn {
-  return (listener): PoolWorker => {
+  return spawnInThread<WorkerApi>(() => new ClipWorker(Promise.resolve(core)));
+}
+
+/** The same for comparing. */
+export function spawnComparisonAround(core: ComparisonCore): Spawn<ComparisonApi> {
+  return spawnInThread<ComparisonApi>(() => new ComparisonWorker(Promise.resolve(core)));
+}
+
+function spawnInThread<Api extends PooledApi>(start: () => Api): Spawn<Api> {
+  return (listener): PoolWorker<Api> => {
     const { port1, port2 } = new MessageChannel();
-    expose(new ClipWorker(Promise.resolve(core)), port1);
+    expose(start(), port1);
     port1.start();
-    const api = wrap<WorkerApi>(port2) as unknown as RemoteWorker;
+    const api = wrap<Api>(port2) as unknown as Remote<Api>;
     port2.start();
-    void api.listen(proxy(listener));
+    void (api as unknown as Remote<PooledApi>).listen(proxy(listener));
     return {
       api,
       terminate: () => {

@@ -1,0 +1,165 @@
+import { beforeAll, expect, test } from 'vitest';
+import { createComparer } from './comparer';
+import type { ComparisonApi } from './comparison-protocol';
+import type { ComparisonCore } from './comparison-raw';
+import type { ClipFeature, Comparer, ComparisonSettings } from './comparison-types';
+import type { PoolWorker, Spawn } from './pool-task';
+import { spawnComparisonAround, testComparisonCore } from './test-engine';
+
+let core: ComparisonCore;
+beforeAll(async () => {
+  core = await testComparisonCore();
+});
+
+const ward: ComparisonSettings = {
+  distance: { measure: 'posture-variation', mirrorAware: false, acrossRigs: false },
+  linkage: 'ward',
+};
+const average: ComparisonSettings = { ...ward, linkage: 'average' };
+
+const nothing = { postures: () => Promise.reject(new Error('none')) };
+
+/** A clip at a place on a line. */
+function at(place: number): ClipFeature {
+  const vector = (length: number): Float64Array => {
+    const numbers = new Float64Array(length);
+    numbers[0] = place;
+    return numbers;
+  };
+  return {
+    performer: 0,
+    recorded: vector(12),
+    acrossRigs: vector(12),
+    recordedByJoint: vector(192),
+    acrossRigsByJoint: vector(192),
+  };
+}
+
+function withPlaces(comparer: Comparer, places: readonly number[]): Comparer {
+  places.forEach((place, id) => comparer.setFeature(id, `clip ${id}`, at(place)));
+  return comparer;
+}
+
+/** A comparer and the workers that it has started. */
+function setUp(spawn: Spawn<ComparisonApi> = spawnComparisonAround(core)) {
+  const workers: PoolWorker<ComparisonApi>[] = [];
+  const deaths: ((message: string) => void)[] = [];
+  const comparer = createComparer(nothing, (listener, died) => {
+    const worker = spawn(listener, died);
+    workers.push(worker);
+    deaths.push(died);
+    return worker;
+  });
+  return { comparer, workers, deaths };
+}
+
+test('no worker before the first comparison, one for all', async () => {
+  const { comparer, workers } = setUp();
+  withPlaces(comparer, [0, 1]);
+  expect(workers).toHaveLength(0);
+  await comparer.compare(ward);
+  await comparer.neighbours(0, 5);
+  expect(workers).toHaveLength(1);
+  comparer.destroy();
+});
+
+test('clips that are near are joined first, their cut and neighbours agree', async () => {
+  const { comparer } = setUp();
+  const comparison = await withPlaces(comparer, [0, 10, 1, 12]).compare(average);
+  expect([...comparison.clips]).toEqual([0, 1, 2, 3]);
+  expect(comparison.pairs).toBe(6);
+  expect([...comparison.tree.heights]).toEqual([1, 2, 10.5]);
+  expect([...comparison.nearest]).toEqual([2, 3, 0, 1]);
+  expect([...comparison.nearestDistances]).toEqual([1, 2, 1, 2]);
+  const cut = await comparer.cut(2);
+  expect(cut.clusters).toBe(2);
+  expect(cut.clusterOfItem[0]).toBe(cut.clusterOfItem[2]);
+  expect(cut.clusterOfItem[0]).not.toBe(cut.clusterOfItem[1]);
+  expect(await comparer.neighbours(0, 2)).toEqual([
+    { clip: 2, distance: 1, mirrored: false },
+    { clip: 1, distance: 10, mirrored: false },
+  ]);
+  comparer.destroy();
+});
+
+test('a feature that changes or goes is told with the next comparison', async () => {
+  const { comparer } = setUp();
+  await withPlaces(comparer, [0, 1, 2]).compare(ward);
+  comparer.setFeature(1, 'clip 1', null);
+  comparer.setFeature(2, 'clip 2', at(7));
+  const comparison = await comparer.compare(ward);
+  expect([...comparison.clips]).toEqual([0, 2]);
+  expect(comparison.maximum).toBe(7);
+  comparer.destroy();
+});
+
+test('a newer comparison cancels an older one', async () => {
+  const { comparer } = setUp();
+  const places = Array.from({ length: 300 }, (_, index) => Math.sin(index));
+  const older = withPlaces(comparer, places).compare(average);
+  const newer = comparer.compare(ward);
+  await expect(older).rejects.toMatchObject({ name: 'AbortError' });
+  expect((await newer).settings.linkage).toBe('ward');
+  comparer.destroy();
+});
+
+test('a picture of the matrix, and one asked for while it is compared again', async () => {
+  const { comparer } = setUp();
+  const { tree } = await withPlaces(comparer, [0, 10, 1]).compare(average);
+  const all = {
+    order: tree.leaves,
+    firstRow: 0,
+    rowCount: 3,
+    firstColumn: 0,
+    columnCount: 3,
+    most: 3,
+  };
+  const { rows, columns, values } = await comparer.picture(all);
+  expect([rows, columns]).toEqual([3, 3]);
+  expect(Math.max(...values)).toBe(10);
+  const [picture] = await Promise.all([comparer.picture(all), comparer.compare(ward)]);
+  expect(picture.rows).toBe(3);
+  comparer.destroy();
+});
+
+test('labels: the nearest, the confusion, and a label with one clip', async () => {
+  const { comparer } = setUp();
+  await withPlaces(comparer, [0, 1, 10, 11, 30]).compare(average);
+  const found = await comparer.evaluate({ clusters: 3, labels: ['a', 'a', 'b', 'a', 'c'] });
+  expect(found.labels).toEqual(['a', 'b', 'c']);
+  expect(found.labelled).toBe(5);
+  expect(found.correct).toBe(2);
+  expect([...found.confusion]).toEqual([2, 1, 0, 1, 0, 0, 1, 0, 0]);
+  expect(found.single).toEqual(['b', 'c']);
+  expect(found.errors).toContainEqual({ clip: 4, nearest: 3 });
+  comparer.destroy();
+});
+
+test('why two clips differ is told with their names and shares', async () => {
+  const { comparer } = setUp();
+  await withPlaces(comparer, [0, 3, 4]).compare(ward);
+  const found = await comparer.explain(0, 2);
+  expect(found).toMatchObject({ a: 0, b: 2, distance: 4, rank: 3, rankFromA: 2, rankFromB: 2 });
+  expect(found.shares[0]).toBe(1);
+  expect(found.sentence).toMatchObject({
+    kind: 'component',
+    component: 0,
+    of: 'mean',
+    larger: 'b',
+  });
+  comparer.destroy();
+});
+
+test('a worker that dies is replaced, and numbers its clips as before', async () => {
+  const { comparer, deaths, workers } = setUp();
+  withPlaces(comparer, [5, 1]);
+  comparer.setFeature(9, 'clip 9', at(3));
+  await comparer.compare(average);
+  comparer.setFeature(4, 'clip 4', at(100));
+  deaths[0]?.('gone');
+  expect(await comparer.neighbours(9, 5)).toHaveLength(2);
+  expect(workers).toHaveLength(2);
+  const again = await comparer.compare(average);
+  expect([...again.clips].sort((a, b) => a - b)).toEqual([0, 1, 4, 9]);
+  comparer.destroy();
+});
