@@ -45,6 +45,7 @@ class Comparing {
   private endedMs = Number.NEGATIVE_INFINITY;
   private costMs = 0;
   private timer: ReturnType<typeof setTimeout> | null = null;
+  private dueMs = 0;
   private readonly cuts: LatestAnswer<Cut>;
 
   constructor(parts: ComparingParts) {
@@ -103,7 +104,11 @@ class Comparing {
     if (!this.changed || this.told.size < 2) return;
     const waitMs = this.waitMs();
     if (waitMs === null) return;
+    // Not later for what comes meanwhile: features may come without a pause.
+    const dueMs = this.parts.now() + waitMs;
+    if (this.timer !== null && this.dueMs <= dueMs) return;
     if (this.timer !== null) clearTimeout(this.timer);
+    this.dueMs = dueMs;
     this.timer = setTimeout(() => {
       this.timer = null;
       this.compare();
