@@ -1,5 +1,6 @@
 /** The files given together: what is known of them, how far they are, and how it ended. */
 import type { ClipId, ClipSource, Failure } from '../engine/types';
+import type { Known } from './known-sources';
 import type { LoadingState } from './store';
 import { estimateSecondsLeft } from './time-left';
 
@@ -20,7 +21,7 @@ export interface Batch {
   readonly abort: AbortController;
   readonly startedMs: number;
   /** Found, and not in the library yet. */
-  readonly arriving: Map<string, ClipSource>;
+  readonly arriving: Map<Known, ClipSource>;
   timer: ReturnType<typeof setTimeout> | null;
   readonly clips: ClipId[];
   /** In the library, and nothing done about them yet. */
@@ -31,8 +32,8 @@ export interface Batch {
   readonly others: string[];
   readonly emptyFolders: string[];
   readonly archives: { name: string; failure: Failure }[];
-  /** Keys of the files that were in the library already. */
-  readonly known: string[];
+  /** Files that were in the library already. */
+  readonly known: Known[];
   readonly pending: Set<Promise<void>>;
   searching: number;
   opening: number;

@@ -86,9 +86,3 @@ export function keyposeFrames({ keyposes }: PerformerResult): Int32Array {
     ? keyposes.keyposes.map((candidate) => keyposes.candidates[candidate] ?? 0)
     : new Int32Array();
 }
-
-/** The same for two sources that are the same file, given twice. */
-export function sourceKey({ name, folder, blob }: ClipSource): string {
-  const changed = blob instanceof File ? blob.lastModified : '';
-  return `${folder}\n${name}\n${blob.size}\n${changed}`;
-}

@@ -101,3 +101,51 @@ test('an entry that cannot be unpacked is a row with its name and its folder', a
   expect(store.present.value[0]?.source).toMatchObject({ name: 'a.bvh', folder: 'set/dances' });
   expect(store.present.value[0]?.status).toBe('failed');
 });
+
+test('of many files the first is analysed and the others are surveyed, each with its outcome', async () => {
+  const opened: number[] = [];
+  const failure = { kind: 'empty', line: null, column: null, details: [] };
+  const { store, loader, reports } = setUp(
+    (id) => {
+      opened.push(id);
+      return Promise.resolve();
+    },
+    undefined,
+    (items, onSurveyed) => {
+      const read = { frames: 9, frameTimeS: 0.1, feature: null, incomparable: failure };
+      onSurveyed(items.map(({ id }) => ({ id, ...read, failure: id === 7 ? failure : null })));
+      return Promise.resolve();
+    },
+  );
+  await loader.add(Array.from({ length: 200 }, (_, index) => source(`${index}.bvh`)));
+  expect(opened).toEqual([0]);
+  const statuses = store.clips.value.map(({ status }) => status);
+  expect(statuses.filter((status) => status === 'surveyed')).toHaveLength(198);
+  expect(store.clips.value[7]).toMatchObject({ status: 'failed', failure });
+  expect(store.clips.value[8]).toMatchObject({ extent: { frames: 9 }, incomparable: failure });
+  expect(reports[0]).toMatchObject({ failed: [7], cancelled: false });
+  expect(reports[0]?.clips).toHaveLength(200);
+  expect(store.reading.value).toBe(false);
+});
+
+test('a survey that is cancelled keeps what it has read', async () => {
+  let surveyed: (id: number) => void = () => undefined;
+  const { store, loader, reports } = setUp(undefined, undefined, (items, onSurveyed, work) => {
+    surveyed = (id) => {
+      const read = { frames: 9, frameTimeS: 0.1, feature: null, incomparable: null };
+      onSurveyed([{ id, failure: null, ...read }]);
+    };
+    expect(items.length).toBe(99);
+    return new Promise((_, reject) => {
+      work?.signal?.addEventListener('abort', () => reject(new DOMException('', 'AbortError')));
+    });
+  });
+  const done = loader.add(Array.from({ length: 100 }, (_, index) => source(`${index}.bvh`)));
+  await Promise.resolve();
+  surveyed(40);
+  loader.cancel();
+  surveyed(41);
+  await done;
+  expect(store.present.value.map(({ id }) => id)).toEqual([0, 40]);
+  expect(reports[0]?.cancelled).toBe(true);
+});

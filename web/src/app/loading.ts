@@ -8,9 +8,10 @@ import type { Analysis } from './analysis';
 import type { Backlog } from './backlog';
 import { newBatch, stateOf, type Batch, type BatchReport } from './batch';
 import { addClips, clipNow, flushClips, patchClipSoon, patchClips } from './clip-changes';
-import { isBusy, sourceKey, type Clip } from './clips';
+import { isBusy, type Clip } from './clips';
 import { failureOf, isAbort } from './failure';
 import { isMotionName, takeIn, type Given, type IntakeEvents } from './intake';
+import { KnownSources, type Known } from './known-sources';
 import type { Store } from './store';
 
 export type { BatchReport } from './batch';
@@ -50,8 +51,7 @@ export function createLoader(parts: LoaderParts): Loader {
 class BatchLoader implements Loader {
   private batch: Batch | null = null;
   private timer: ReturnType<typeof setTimeout> | null = null;
-  /** The clip of each file. */
-  private readonly ids = new Map<string, ClipId>();
+  private readonly sources = new KnownSources();
   private readonly parts: LoaderParts;
 
   constructor(parts: LoaderParts) {
@@ -145,15 +145,15 @@ class BatchLoader implements Loader {
   /** Takes a file in unless it is there; the first at once, the others in one go with their neighbours. */
   private start(batch: Batch, source: ClipSource): void {
     if (batch.abort.signal.aborted) return;
-    const key = sourceKey(source);
-    if (batch.arriving.has(key) || this.isThere(key)) batch.known.push(key);
-    else batch.arriving.set(key, source);
+    const known = this.sources.of(source);
+    if (batch.arriving.has(known) || this.isThere(known)) batch.known.push(known);
+    else batch.arriving.set(known, source);
     if (batch.clips.length === 0) this.settleIn(batch);
     else batch.timer ??= setTimeout(() => this.settleIn(batch), settleInMs);
   }
 
-  private isThere(key: string): boolean {
-    const clip = this.clipOf(this.ids.get(key));
+  private isThere({ id }: Known): boolean {
+    const clip = this.clipOf(id);
     return clip !== undefined && !clip.removed && clip.status !== 'failed';
   }
 
@@ -163,14 +163,14 @@ class BatchLoader implements Loader {
     batch.timer = null;
     if (batch.arriving.size === 0) return;
     const { store, onStart } = this.parts;
-    const again = [...batch.arriving.keys()].flatMap((key) => this.ids.get(key) ?? []);
+    const again = [...batch.arriving.keys()].flatMap(({ id }) => id ?? []);
     if (again.length > 0)
       patchClips(
         store,
         again.map((id) => [id, { removed: true }] as const),
       );
     const added = addClips(store, [...batch.arriving.values()]);
-    [...batch.arriving.keys()].forEach((key, index) => this.ids.set(key, added[index].id));
+    [...batch.arriving.keys()].forEach((known, index) => (known.id = added[index].id));
     batch.arriving.clear();
     for (const { id, source } of added) {
       batch.clips.push(id);
@@ -295,7 +295,7 @@ class BatchLoader implements Loader {
       others: batch.others,
       emptyFolders: batch.emptyFolders,
       archives: batch.archives,
-      known: batch.known.flatMap((key) => this.ids.get(key) ?? []),
+      known: batch.known.flatMap(({ id }) => id ?? []),
     });
   }
 
@@ -304,7 +304,7 @@ class BatchLoader implements Loader {
     return clip !== undefined && isBusy(clip);
   }
 
-  private clipOf(id: ClipId | undefined): Clip | undefined {
-    return id === undefined ? undefined : clipNow(this.parts.store, id);
+  private clipOf(id: ClipId | null): Clip | undefined {
+    return id === null ? undefined : clipNow(this.parts.store, id);
   }
 }
