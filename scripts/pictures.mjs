@@ -1,6 +1,9 @@
-// `npm run pictures`: the README's pictures, from the built app and our own sample. Out: docs/pictures.
-import { mkdirSync } from 'node:fs';
+// `npm run pictures`: the README's pictures, from the built app and our own samples. Out: docs/pictures.
+import { mkdirSync, mkdtempSync, readdirSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { withPage } from './page.mjs';
+import { run } from './process.mjs';
 
 const folder = 'docs/pictures';
 /** Long enough for a software rasteriser to draw the stage. */
@@ -22,6 +25,44 @@ function takePictures(colorScheme) {
   });
 }
 
+/** All samples compared, labelled by their motion; then two of them side by side. */
+function takeComparison(colorScheme, files) {
+  const context = { viewport: { width: 1440, height: 900 }, colorScheme, locale: 'en-GB' };
+  return withPage(context, async (page, address) => {
+    await page.goto(address);
+    await page.locator('input[type=file]').first().setInputFiles(files);
+    await page.getByRole('slider').first().waitFor();
+    await page.waitForTimeout(2 * settleMs);
+    await page.getByRole('button', { name: 'Compare' }).click();
+    await page.waitForTimeout(settleMs);
+    await page.getByRole('button', { name: /^Labels/ }).click();
+    await page.getByRole('menuitemradio', { name: /file name/ }).click();
+    await page.getByRole('dialog').getByRole('textbox').fill('{label}-*');
+    await page.keyboard.press('Enter');
+    await page.getByRole('gridcell').nth(3).click();
+    await page.mouse.move(0, 0);
+    await page.waitForTimeout(settleMs);
+    await page.screenshot({ path: `${folder}/compare-${colorScheme}.png` });
+    await page.getByRole('button', { name: 'Pair', exact: true }).click();
+    await page.waitForTimeout(settleMs);
+    for (let count = 0; count < 3; count++) await page.keyboard.press('k');
+    await page.waitForTimeout(settleMs);
+    await page.screenshot({ path: `${folder}/pair-${colorScheme}.png` });
+  });
+}
+
 mkdirSync(folder, { recursive: true });
 await takePictures('light');
 await takePictures('dark');
+
+const samples = mkdtempSync(join(tmpdir(), 'keypose-samples-'));
+try {
+  run('cargo', ['run', '--release', '--quiet', '-p', 'keypose-cli', '--', 'samples', samples]);
+  const files = readdirSync(samples)
+    .filter((name) => name.endsWith('.bvh'))
+    .map((name) => join(samples, name));
+  await takeComparison('light', files);
+  await takeComparison('dark', files);
+} finally {
+  rmSync(samples, { recursive: true });
+}
