@@ -33,6 +33,7 @@ test('matrix, tree and map show the set; the selection is one', async ({ app, pa
     ((await names(page).nth(at).getAttribute('aria-label')) ?? '').split(',')[0];
   await first.click();
   await third.click({ modifiers: ['Shift'] });
+  expect(await page.evaluate(() => getSelection()?.toString())).toBe('');
   await expect(first).toHaveAttribute('aria-selected', 'true');
   await expect(third).toHaveAttribute('aria-selected', 'true');
   await expect(page.locator('.clip.open .clip-name')).toHaveAttribute(

@@ -55,7 +55,9 @@ const clamp = (value: number, least: number, most: number): number =>
 
 interface Columns {
   readonly treeWidth: number;
-  readonly namesWidth: number;
+  readonly namesLeft: number;
+  /** Of the matrix, the same in every order. */
+  readonly left: number;
 }
 
 /** Names take what the matrix leaves over, as far as they need it; without a tree its room too. */
@@ -66,8 +68,9 @@ function columnsOf({ kind }: Scene, size: Size, longestNamePx: number): Columns 
   const wanted = clamp(longestNamePx, widths.names, mostNamesPx);
   const least = size.width < narrowPx ? widths.names : needyNamesPx;
   const names = Math.min(wanted, Math.max(least, widths.names + spare));
-  if (kind === 'tree') return { treeWidth: widths.tree, namesWidth: names };
-  return { treeWidth: 0, namesWidth: clamp(longestNamePx, names, names + widths.tree) };
+  const left = edgePx + widths.tree + names;
+  if (kind === 'tree') return { treeWidth: widths.tree, namesLeft: left - names, left };
+  return { treeWidth: 0, namesLeft: Math.max(edgePx, left - longestNamePx), left };
 }
 
 /** The same zoom within what there is to see. */
@@ -85,9 +88,7 @@ export function matrixGeometry(
   wanted: Zoom,
   longestNamePx: number,
 ): MatrixGeometry {
-  const { treeWidth, namesWidth } = columnsOf(scene, size, longestNamePx);
-  const namesLeft = edgePx + treeWidth;
-  const left = namesLeft + namesWidth;
+  const { treeWidth, namesLeft, left } = columnsOf(scene, size, longestNamePx);
   const room = Math.max(
     leastMatrixPx,
     Math.min(size.width - left - rightPx, size.height - topPx - bottomPx),
@@ -106,7 +107,7 @@ export function matrixGeometry(
     treeLeft: edgePx,
     treeWidth,
     namesLeft,
-    namesWidth,
+    namesWidth: left - namesLeft,
     left,
     side: Math.min(room, axis.length),
     zoom: held(wanted, fit, axis, room),

@@ -144,8 +144,11 @@ export class MatrixPane {
     this.tip.show(tipped ? this.tipPlace(scene, geometry, over) : null);
   }
 
-  private tipPlace(scene: Scene, { axis, zoom, left }: MatrixGeometry, cell: MarkedCell) {
-    const x = left + axis.start(cell.column) - zoom.x;
+  /** Beside the cell, or beside the name while the pointer is there. */
+  private tipPlace(scene: Scene, geometry: MatrixGeometry, cell: MarkedCell) {
+    const { axis, zoom, left } = geometry;
+    const byName = this.names.element.matches(':hover');
+    const x = byName ? left - axis.cell : left + axis.start(cell.column) - zoom.x;
     const y = topPx + axis.start(cell.row) - zoom.y;
     const box = { left: x, top: y, right: x + axis.cell, bottom: y + axis.cell };
     return { a: scene.order[cell.row], b: scene.order[cell.column], box };
