@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { flatFigure, FLAT_STRIDE } from './flat-figure';
+import { placed } from './placement';
 import { animal, human, standingPose } from './test-bodies';
 
 const FRONT = 0;
@@ -13,6 +14,20 @@ describe('flatFigure', () => {
     expect(figure.maxY).toBeGreaterThan(0.95);
     expect(figure.maxY).toBeLessThan(1.05);
     expect(figure.minX).toBeCloseTo(-figure.maxX, 6);
+  });
+
+  it('shows the mirror image of a body: what lay at its left lies at its right, as a right limb', () => {
+    const raised = standingPose.slice();
+    // The left wrist up.
+    raised[8 * 3 + 1] += 0.6;
+    const stand = { x: 0, z: 0, yawRad: 0 };
+    const plain = flatFigure(raised, human, FRONT);
+    const mirrored = flatFigure(raised, human, FRONT, placed(stand, stand, true));
+    expect(mirrored.minX).toBeCloseTo(-plain.maxX, 6);
+    const highest = ({ limbs }: typeof plain): string =>
+      limbs.reduce((best, limb) => (top(limb.cones) > top(best.cones) ? limb : best)).side;
+    const top = (cones: Float32Array): number => Math.max(...cones.filter((_, i) => i % 3 === 1));
+    expect([highest(plain), highest(mirrored)]).toEqual(['left', 'right']);
   });
 
   it('draws nothing of a body that is farther than 32 bits reach', () => {

@@ -1,8 +1,9 @@
 /** In: one pose, its performer, a yaw. Out: a flat figure: limbs from far to near, in body heights. */
 import type { BoneCone, Side } from './bone-cone';
 import { CONE_STRIDE, writeCones } from './bone-cone';
-import { figureBones } from './figure-bones';
+import { figureBones, mirroredBones } from './figure-bones';
 import { LIMBS } from './human-bones';
+import { place, type Placement } from './placement';
 import { type FigurePerformer, sceneFrameOf, toScene } from './up-frame';
 
 /** The viewer looks down a little, so that feet on the ground do not lie on one line. */
@@ -41,16 +42,20 @@ interface Gathering {
 
 /**
  * The figure of `pose` (joints × 3, file units, world axes) for a viewer at `yawRad` (up-frame.ts).
- * All figures of a performer share one scale and one ground line: a leap leaves the ground.
+ * All figures of a performer share one scale and one ground line: a leap leaves the ground. `placement`
+ * turns or mirrors the body first.
  */
 export function flatFigure(
   pose: ArrayLike<number>,
   performer: FigurePerformer,
   yawRad: number,
+  placement?: Placement,
 ): FlatFigure {
   const joints = new Float32Array(pose.length);
   toScene(pose, sceneFrameOf(performer), joints);
-  const bones = figureBones(performer.skeleton, performer.body, joints);
+  if (placement) place(joints, placement);
+  const recorded = figureBones(performer.skeleton, performer.body, joints);
+  const bones = placement?.mirrored ? mirroredBones(recorded) : recorded;
   const cones = new Float32Array(bones.length * CONE_STRIDE);
   writeCones(bones, joints, 1, cones, 0);
   const pelvis = Math.max(0, performer.body.pelvis) * 3;

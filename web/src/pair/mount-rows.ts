@@ -149,10 +149,8 @@ function showStrip(
   state: PairState,
   two: TwoSignal,
 ): void {
-  const { engine, language } = context;
-  const place = element('div', 'pair-strip-place');
-  place.style.top = `${[rows.stripA, rows.stripB][clip].top}px`;
-  area.append(place);
+  const { engine, language, store } = context;
+  const place = placeAt(area, 'pair-strip-place', [rows.stripA, rows.stripB][clip]);
   const poses = createKeyposePoses(engine);
   const strip = new PairStrip(place, {
     onPick: (keypose) => state.pickKeypose(clip, keypose),
@@ -174,6 +172,7 @@ function showStrip(
       frameTimeS: one.frameTimeS,
       performer: one.performer,
       yawRad: pairYaw(shown.a, one),
+      mirrored: clip === 1 && store.compare.mirrorB.value,
       keyposes: one.keyposes,
       poses: poses.of(ownerOf(one)),
       current: state.currentKeyposes.value[clip] ?? null,
@@ -181,6 +180,13 @@ function showStrip(
       keyposeName: keyposeText(words),
     });
   });
+}
+
+function placeAt(area: HTMLElement, name: string, { top }: RowPlace): HTMLElement {
+  const place = element('div', name);
+  place.style.top = `${top}px`;
+  area.append(place);
+  return place;
 }
 
 function ownerOf({ id, performerIndex, performer }: PairClip): PoseOwner {
@@ -194,9 +200,7 @@ function showPins(
   state: PairState,
   two: TwoSignal,
 ): void {
-  const place = element('div', 'pair-pins');
-  place.style.top = `${[rows.pinsA, rows.pinsB][clip].top}px`;
-  area.append(place);
+  const place = placeAt(area, 'pair-pins', [rows.pinsA, rows.pinsB][clip]);
   const pick = (keypose: number): void => state.pickKeypose(clip, keypose);
   const pins = new PinRow({ onPick: pick, onOpen: pick });
   place.append(pins.element);

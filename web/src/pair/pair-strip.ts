@@ -3,6 +3,7 @@ import { element } from '../common/element';
 import type { PerformerResult } from '../engine/types';
 import { drawFlatFigure } from '../figure/draw-flat-figure';
 import { type FlatFigure, flatFigure } from '../figure/flat-figure';
+import { placed } from '../figure/placement';
 import {
   labelDigits,
   layoutStrip,
@@ -18,6 +19,8 @@ export interface PairStripProps {
   readonly performer: PerformerResult;
   /** From where the figures are seen. */
   readonly yawRad: number;
+  /** Left and right change places. */
+  readonly mirrored: boolean;
   readonly keyposes: Int32Array;
   readonly poses: ReadonlyMap<number, Float32Array>;
   readonly current: number | null;
@@ -70,7 +73,7 @@ export class PairStrip {
 
   update(props: PairStripProps): void {
     this.props = props;
-    const key = `${props.yawRad}`;
+    const key = `${props.yawRad} ${props.mirrored}`;
     if (this.figuresOf !== props.performer || this.root.dataset['yaw'] !== key)
       this.figures.clear();
     this.figuresOf = props.performer;
@@ -123,11 +126,13 @@ export class PairStrip {
   }
 
   private figureOf(keypose: number, props: PairStripProps): FlatFigure | null {
-    const { performer, poses, yawRad, keyposes } = props;
+    const { performer, poses, yawRad, keyposes, mirrored } = props;
     const known = this.figures.get(keypose);
     const pose = known ? undefined : poses.get(keyposes[keypose]);
     if (pose === undefined) return known ?? null;
-    const figure = flatFigure(pose, performer, yawRad);
+    const stand = { x: 0, z: 0, yawRad: performer.frontYawRad };
+    const placement = mirrored ? placed(stand, stand, true) : undefined;
+    const figure = flatFigure(pose, performer, yawRad, placement);
     this.figures.set(keypose, figure);
     return figure;
   }

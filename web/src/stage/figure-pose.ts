@@ -1,6 +1,6 @@
 /** In: a performer and its poses. Out: its rounded cones in the scene, written into the cone texture. */
-import { type BoneCone, type Side, writeCones } from '../figure/bone-cone';
-import { figureBones } from '../figure/figure-bones';
+import { type BoneCone, writeCones } from '../figure/bone-cone';
+import { figureBones, mirroredBones } from '../figure/figure-bones';
 import { place, type Placement } from '../figure/placement';
 import { type FigurePerformer, type SceneFrame, toScene } from '../figure/up-frame';
 import { type ConeTexture, TEXTURE_STRIDE } from './cone-texture';
@@ -21,8 +21,6 @@ const FARTHEST = 1e5;
 export interface PlacedPerformer extends FigurePerformer {
   readonly placement?: Placement;
 }
-
-const otherSide: Readonly<Record<Side, Side>> = { left: 'right', right: 'left', trunk: 'trunk' };
 
 /** One performer's figure in the scene, pose by pose. */
 export class FigurePose {
@@ -140,11 +138,9 @@ export class FigurePose {
   }
 }
 
-/** A mirrored left arm is a right one. */
 function bonesOf({ skeleton, body, placement }: PlacedPerformer, joints: Float32Array): BoneCone[] {
   const bones = figureBones(skeleton, body, joints);
-  if (!placement?.mirrored) return bones;
-  return bones.map((bone) => ({ ...bone, side: otherSide[bone.side] }));
+  return placement?.mirrored ? mirroredBones(bones) : bones;
 }
 
 /** Every joint is at a place that graphics can show. */
