@@ -18,8 +18,7 @@ import type {
   Warping,
   WarpSettings,
 } from './comparison-types';
-import { CoreFailure, refusing } from './core-failure';
-import { failureOf } from './failures';
+import { refusing } from './core-failure';
 import init, { ComparisonHandle, initSync, WarpHandle } from './generated/comparison_wasm';
 import { bodyParts, type BodyPart, type ClipId } from './types';
 
@@ -160,8 +159,10 @@ class WasmSet implements CoreSet {
     return { ...rest, labels: names, confusion: table, single: singleNames };
   }
 
-  exportFile(kind: ComparisonExportKind): Blob {
-    throw new CoreFailure(failureOf('engine-unavailable', kind));
+  exportFile(kind: ComparisonExportKind, { clusters, labels }: LabelledCut): Blob {
+    const { names, numbers } = numbered(labels);
+    const bytes = refusing(() => this.handle.exportFile(kind, names, numbers, clusters));
+    return new Blob([bytes as Uint8Array<ArrayBuffer>]);
   }
 
   free(): void {
