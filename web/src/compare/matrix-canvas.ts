@@ -22,7 +22,8 @@ export const tickPx = { top: 9, height: 4 };
 export const numberBaselinePx = 14;
 /** Below this cell size the diagonal has no marks and ticks no gaps. */
 const leastMarkedPx = 6;
-export const leastNumberedPx = 14;
+/** Of the numbers of clusters. */
+export const digitPx = 6.4;
 
 /** Paints cells pixel by pixel of the device: no cell is blurred, however small. */
 export class MatrixCanvas {
@@ -126,11 +127,14 @@ function drawNumbers(context: CanvasRenderingContext2D, drawing: MatrixDrawing):
   context.fillStyle = palette.text3;
   context.font = `10.5px ${font}`;
   context.textAlign = 'center';
+  let right = -Infinity;
   for (const { group, first, end } of groupRuns(scene.groups)) {
     const from = Math.max(0, axis.start(first) - zoom.x);
     const to = Math.min(side, axis.start(end - 1) + axis.cell - zoom.x);
-    if (to - from < Math.min(leastNumberedPx, axis.cell)) continue;
-    if (to - from < leastNumberedPx && group >= 9) continue;
-    context.fillText(String(group + 1), (from + to) / 2, numberBaselinePx);
+    const [middle, half] = [(from + to) / 2, (String(group + 1).length * digitPx) / 2];
+    // Of numbers that would touch each other the first stands.
+    if (to <= from || middle - half < right + digitPx / 2) continue;
+    context.fillText(String(group + 1), middle, numberBaselinePx);
+    right = middle + half;
   }
 }

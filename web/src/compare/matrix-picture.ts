@@ -5,7 +5,7 @@ import { labelColour, type ComparePalette } from './compare-palette';
 import { legendDigits } from './legend';
 import { legendTags } from './mark-tag';
 import { positionsUnder } from './matrix-axis';
-import { groupRuns, leastNumberedPx, numberBaselinePx, tickPx } from './matrix-canvas';
+import { groupRuns, digitPx, numberBaselinePx, tickPx } from './matrix-canvas';
 import { matrixGeometry, noZoom, topPx, type MatrixGeometry } from './matrix-geometry';
 import { colourPicture, paintMatrix, type PlacedPicture } from './matrix-pixels';
 import { pixelOf, rgbOf } from './colour-scale';
@@ -106,10 +106,13 @@ function heading(scene: Scene, { axis, left }: MatrixGeometry, palette: CompareP
   });
   const look = { y: numberBaselinePx, 'font-size': 10.5, fill: palette.text3 };
   const runs = scene.kind === 'tree' && scene.cut ? groupRuns(scene.groups) : [];
+  let right = -Infinity;
   const numbers = runs.map(({ group, first, end }) => {
     const [from, to] = [axis.start(first), axis.start(end - 1) + axis.cell];
-    if (to - from < Math.min(leastNumberedPx, axis.cell)) return '';
-    const place = { x: left + (from + to) / 2, 'text-anchor': 'middle' };
+    const [middle, half] = [(from + to) / 2, (String(group + 1).length * digitPx) / 2];
+    if (middle - half < right + digitPx / 2) return '';
+    right = middle + half;
+    const place = { x: left + middle, 'text-anchor': 'middle' };
     return textTag(String(group + 1), { ...place, ...look });
   });
   return ticks.join('') + numbers.join('');
