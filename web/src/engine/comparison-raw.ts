@@ -101,7 +101,8 @@ class WasmSet implements CoreSet {
         automaticClusters,
         legendMaximum,
         maximum,
-        ...nearestOf(this, handle.clips()),
+        nearest: handle.nearest(),
+        nearestDistances: handle.nearestDistances(),
         map: handle.map(),
         spread,
       };
@@ -168,18 +169,6 @@ class WasmSet implements CoreSet {
   free(): void {
     this.handle.free();
   }
-}
-
-function nearestOf(
-  set: CoreSet,
-  clips: Int32Array,
-): Pick<Comparison, 'nearest' | 'nearestDistances'> {
-  const items = new Map([...clips].map((clip, item) => [clip, item] as const));
-  const nearest = [...clips].map((clip) => set.neighbours(clip, 1)[0]);
-  return {
-    nearest: Int32Array.from(nearest, (one) => items.get(one?.clip ?? -1) ?? -1),
-    nearestDistances: Float64Array.from(nearest, (one) => one?.distance ?? Number.NaN),
-  };
 }
 
 function treeOf(handle: ComparisonHandle): Comparison['tree'] {
