@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, it, vi } from 'vitest';
 import { createEngine, workerCount } from './engine';
 import type { Core } from './raw';
 import { spawnAround, testCore } from './test-engine';
-import type { ClipResult, ClipSource, Engine } from './types';
+import type { ClipResult, ClipSource, ClipSurvey, Engine } from './types';
 
 let core: Core;
 let walk: Uint8Array<ArrayBuffer>;
@@ -35,6 +35,10 @@ function trappedBy(letter: string): Core {
   };
   return { ...core, newClip };
 }
+
+/** A clip that stands still. */
+const still = (frames: number, joints = 'Hips'): string =>
+  `HIERARCHY\nROOT ${joints}\n{\nOFFSET 0 0 0\nCHANNELS 3 Xposition Yposition Zposition\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\nMOTION\nFrames: ${frames}\nFrame Time: 0.01\n${'0 0 0\n'.repeat(frames)}`;
 
 const keyposeFrames = (result: ClipResult): number[] => {
   const found = result.performers[0]?.keyposes;
@@ -239,5 +243,57 @@ describe('an archive', () => {
     const given: string[] = [];
     await engineOf().unzip(new Blob([archive]), ({ name }) => given.push(name));
     expect(given).toEqual(names);
+  });
+
+  it('surveys many clips: features as those of the analysis, a reason where there is none', async () => {
+    const engine = engineOf();
+    const run = core.sample('run') ?? new Uint8Array();
+    const sources = [sourceOf(walk), sourceOf('no motion'), sourceOf(still(5)), sourceOf(run)];
+    const surveys: ClipSurvey[] = [];
+    await engine.survey(
+      sources.map((source, id) => ({ id, source })),
+      (some) => surveys.push(...some),
+    );
+    surveys.sort((a, b) => a.id - b.id);
+    const result = await engine.open(0, sourceOf(walk), {}, {});
+    expect(surveys[0]).toMatchObject({ frames: result.frames, frameTimeS: result.frameTimeS });
+    expect(surveys[0]?.feature).toEqual(result.performers[0]?.comparable);
+    expect(surveys[0]?.feature?.recorded).toEqual(result.performers[0]?.feature);
+    expect(surveys[1]).toMatchObject({ feature: null, failure: { kind: 'not-bvh' } });
+    expect(surveys[2]?.incomparable?.kind).toBe('not-human-to-compare');
+    expect(surveys[3]?.feature?.recorded).toHaveLength(12);
+    engine.destroy();
+  });
+
+  it('finds the file whose worker dies among many, and surveys the others', async () => {
+    const engine = createEngine({ spawn: spawnAround(trappedBy('X')), workers: 1 });
+    const surveys: ClipSurvey[] = [];
+    await engine.survey(
+      [sourceOf(walk), sourceOf('XHIERARCHY'), sourceOf(walk)].map((source, id) => ({
+        id,
+        source,
+      })),
+      (some) => surveys.push(...some),
+    );
+    surveys.sort((a, b) => a.id - b.id);
+    expect(surveys.map(({ failure }) => failure?.kind ?? null)).toEqual([
+      null,
+      'worker-died',
+      null,
+    ]);
+    engine.destroy();
+  });
+
+  it('gives the postures of the analysed frames, also after the motion was dropped', async () => {
+    const engine = engineOf({ motionBytes: 1, workers: 1 });
+    const result = await engine.open(1, sourceOf(walk), { leadingRestFrames: 7 }, {});
+    const before = await engine.postures(1, 0);
+    await engine.open(2, sourceOf(walk), {}, {});
+    const after = await engine.postures(1, 0);
+    expect(before.firstFrame).toBe(7);
+    expect(before.values).toHaveLength((result.frames - 7) * 48);
+    expect(after.values).toEqual(before.values);
+    expect(await engine.exportText(1, 'keyposes-json')).toContain('"keyposes"');
+    engine.destroy();
   });
 });
