@@ -54,7 +54,7 @@ export const japaneseCompare: Readonly<Record<keyof typeof englishCompare, Messa
   'evaluation.leave-one-out': '最近傍、一つ抜き交差検証',
   'evaluation.r-p': 'R {0} · P {1}',
   'evaluation.f': '{0} クラスタの F 値',
-  'evaluation.single': '「{1}」は {0} だけなので、当てることができません。',
+  'evaluation.single': '「{1}」は {0} だけ：当てられません。',
   'evaluation.single.more': '… ほか {0} 件も同様です。',
   'evaluation.unlabelled': 'ラベルのない {0} 件は除いています。',
   'evaluation.confusion': 'ラベルと、最も近いクリップのラベル',
