@@ -90,10 +90,10 @@ export interface FigureRoom {
 }
 
 const angles = 24;
-/** From the edge of the hull to the figure. */
-const marginsPx = [14, 22, 34, 50, 70];
+/** From the edge of the hull to the figure: farther away it would not be seen to belong to it. */
+const marginsPx = [14, 20, 28];
 /** In between the discs, where there is no room around them. */
-const reachesPx = [32, 44, 58];
+const reachesPx = [32, 42];
 
 const around = ([x, y]: Point, width: number, height: number): Box => ({
   left: x - width / 2,

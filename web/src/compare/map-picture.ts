@@ -16,7 +16,7 @@ const margins = { left: 90, top: 110, right: 90, bottom: 130 };
 const figureMargins = { left: 4, top: 40, right: 4, bottom: 40 };
 const leastHeightPx = 420;
 const figurePx = { width: 66, height: 72 };
-const mostFigures = 14;
+const mostFigures = 10;
 
 const inside = (height: number, by: Box): Box => ({
   left: by.left,

@@ -18,7 +18,7 @@ import type { Shared } from './shared';
 
 const figurePx = { width: 44, height: 48, padding: 2 };
 /** Clusters beyond the largest of so many have no figure. */
-const mostFigures = 14;
+const mostFigures = 10;
 /** Of more discs, figures keep clear of a sample. */
 const mostObstacles = 2000;
 const usualMargins: Box = { left: 46, top: 58, right: 46, bottom: 62 };
