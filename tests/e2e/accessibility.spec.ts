@@ -1,9 +1,10 @@
 // Accessibility as axe-core judges it (WCAG 2.2 A and AA): the empty page, a study with
-// every tab, drawers and dialogs, light and dark, in both languages.
+// every tab, drawers and dialogs, clips compared and side by side, light and dark, in both languages.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { expect, type Page, test } from '@playwright/test';
 import type { AxeResults } from 'axe-core';
+import { sampleFiles } from './support/motions';
 
 // Evaluated, not inserted: the page's policy allows no script of another's.
 const axeSource = readFileSync(createRequire(import.meta.url).resolve('axe-core'), 'utf8');
@@ -31,6 +32,10 @@ async function openSample(page: Page): Promise<void> {
   await page.locator('.keypose-card .figure').first().waitFor();
 }
 
+/** Four motions of two kinds. */
+const compared = (): string[] =>
+  sampleFiles('walk-hik-30', 'walk-vrm-60', 'run-hik-30', 'run-vrm-60');
+
 for (const colorScheme of ['light', 'dark'] as const)
   for (const locale of ['en-GB', 'ja-JP']) {
     test.describe(`${colorScheme}, ${locale}`, () => {
@@ -57,6 +62,28 @@ for (const colorScheme of ['light', 'dark'] as const)
         expect(await faults(page)).toEqual([]);
         await page.keyboard.press('Escape');
         await page.keyboard.press('?');
+        expect(await faults(page)).toEqual([]);
+      });
+
+      test('Compare and Pair break no rule, with every tab and the labels from file names', async ({
+        page,
+      }) => {
+        test.setTimeout(240_000);
+        await page.goto('/?stage=off', { waitUntil: 'networkidle' });
+        await page.locator('input[type="file"]').first().setInputFiles(compared());
+        await page.locator('.page-tab').nth(1).click();
+        await page.locator('#compare-side [role="tab"]').first().waitFor();
+        await page.getByRole('gridcell').first().waitFor();
+        await page.locator('[popovertarget="labels-menu"]').click();
+        expect(await faults(page)).toEqual([]);
+        await page.keyboard.press('Escape');
+        const tabs = page.locator('#compare-side [role="tab"]');
+        for (let index = 0; index < (await tabs.count()); index++) {
+          await tabs.nth(index).click();
+          expect(await faults(page)).toEqual([]);
+        }
+        await page.locator('.page-tab').nth(2).click();
+        await page.locator('.pair-card').first().waitFor();
         expect(await faults(page)).toEqual([]);
       });
 

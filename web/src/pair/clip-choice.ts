@@ -86,7 +86,7 @@ function clipMenu(context: Context, filter: Signal<string>, menu: ClipMenu): Tem
       class="pair-clip"
       popovertarget=${id}
       aria-haspopup="dialog"
-      aria-label=${chosen.length === 1 ? `${label}: ${nameOf(context, chosen[0]) ?? ''}` : label}
+      aria-label=${menu.several ? label : nothing}
       data-tip=${label}
     >
       ${button}
