@@ -164,6 +164,20 @@ test('mirrors leave Ward out and say why', async ({ app, page }) => {
   await expect(menu(page, 'Tree')).toHaveText('Group average');
 });
 
+test('the scores are exported and read again', async ({ app, page }) => {
+  await openCompare(app, page);
+  await labelByName(page, '{label}_*');
+  await menu(page, 'Export').click();
+  const download = page.waitForEvent('download');
+  await page.getByRole('menuitem', { name: 'Evaluation (JSON)' }).click();
+  const stream = await (await download).createReadStream();
+  const text = (await stream.toArray()).join('');
+  const { evaluation } = JSON.parse(text) as { evaluation: { accuracy: number; f: number } };
+  const percent = (100 * evaluation.accuracy).toFixed(1);
+  await expect(scores(page)).toContainText(`${percent} %`);
+  await expect(scores(page)).toContainText(evaluation.f.toFixed(2));
+});
+
 test('the neighbours are gone through by keys', async ({ app, page }) => {
   await openCompare(app, page);
   await page.getByRole('tab', { name: 'Neighbours' }).click();

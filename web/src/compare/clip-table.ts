@@ -156,8 +156,11 @@ const changeKeys = ['Enter', 'Escape'];
 
 function labelCell(props: ClipTableProps, { clip, name, label }: ClipFacts): TemplateResult {
   const { words, labelNames, currentId, onLabel } = props;
-  const onChange = (event: Event): void =>
-    onLabel([clip.id], (event.target as HTMLInputElement).value.trim());
+  const onChange = (event: Event): void => {
+    const field = event.target as HTMLInputElement;
+    field.value = field.value.trim();
+    onLabel([clip.id], field.value);
+  };
   const onKey = (event: KeyboardEvent): void => {
     event.stopPropagation();
     if (!changeKeys.includes(event.key)) return;
@@ -177,7 +180,7 @@ function labelCell(props: ClipTableProps, { clip, name, label }: ClipFacts): Tem
         aria-label=${words.t('table.label-of', name)}
         placeholder="–"
         tabindex=${clip.id === currentId ? 0 : -1}
-        .value=${live(label ?? '')}
+        .value=${label ?? ''}
         .defaultValue=${label ?? ''}
         @change=${onChange}
         @keydown=${onKey}
