@@ -147,9 +147,15 @@ class BatchLoader implements Loader {
     if (batch.abort.signal.aborted) return;
     const known = this.sources.of(source);
     if (batch.arriving.has(known) || this.isThere(known)) batch.known.push(known);
-    else batch.arriving.set(known, source);
+    else this.arrive(batch, known, source);
     if (batch.clips.length === 0) this.settleIn(batch);
     else batch.timer ??= setTimeout(() => this.settleIn(batch), settleInMs);
+  }
+
+  /** Its size is asked for here, one file at a time: the browser may have to ask the disk. */
+  private arrive(batch: Batch, known: Known, source: ClipSource): void {
+    batch.arriving.set(known, source);
+    batch.bytes += source.blob.size;
   }
 
   private isThere({ id }: Known): boolean {
@@ -172,10 +178,9 @@ class BatchLoader implements Loader {
     const added = addClips(store, [...batch.arriving.values()]);
     [...batch.arriving.keys()].forEach((known, index) => (known.id = added[index].id));
     batch.arriving.clear();
-    for (const { id, source } of added) {
+    for (const { id } of added) {
       batch.clips.push(id);
       batch.queue.push(id);
-      batch.bytes += source.blob.size;
       onStart(id);
     }
     this.dispatch(batch);

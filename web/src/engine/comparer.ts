@@ -3,6 +3,7 @@
  * There is one worker, started by the first comparison; one that dies is replaced, told the features
  * again, and made to compare again before it answers.
  */
+import { transfer } from 'comlink';
 import {
   type FeatureNews,
   type ComparisonApi,
@@ -34,6 +35,9 @@ import { type ClipId, type Engine, EngineError, type WorkOptions } from './types
 /** The one slot of the pool. */
 const SLOT = 0;
 
+/** Features told in one message. */
+const TOLD_AT_ONCE = 128;
+
 /** How often a request begins again because its worker was replaced. */
 const ATTEMPTS = 3;
 
@@ -62,7 +66,7 @@ class WorkerComparer implements Comparer {
   private readonly pool: Pool<ComparisonApi>;
   private readonly features = new Map<ClipId, Told>();
   /** What the worker has been told, by clip. */
-  private readonly told = new Map<ClipId, Told>();
+  private readonly told = new Map<ClipId, Told | undefined>();
   private latest: Compared | null = null;
   /** What the worker has compared: another worker has nothing. */
   private inWorker: Compared | null = null;
@@ -143,10 +147,8 @@ class WorkerComparer implements Comparer {
 
   private comparison(compared: Compared, work: WorkOptions = {}): Promise<Comparison> {
     return this.again(async () => {
-      const found = await this.start(
-        (api, job) => api.compare(job, compared.settings, this.news(compared.clips)),
-        work,
-      );
+      await this.tell(compared.clips, work);
+      const found = await this.start((api, job) => api.compare(job, compared.settings), work);
       // In the order of the items, so that made again it numbers them alike.
       const items = [...found.clips].flatMap((clip) => {
         const told = compared.clips.get(clip);
@@ -158,12 +160,16 @@ class WorkerComparer implements Comparer {
     });
   }
 
-  /** What the worker does not know yet. */
-  private news(wanted: ReadonlyMap<ClipId, Told>): FeatureNews {
-    const news = newsBetween(this.told, wanted);
-    for (const clip of news.gone) this.told.delete(clip);
-    for (const [clip, one] of wanted) this.told.set(clip, one);
-    return news;
+  /** Tells the worker what it does not know yet, a part at a time: packing all takes the page long. */
+  private async tell(wanted: ReadonlyMap<ClipId, Told>, work: WorkOptions): Promise<void> {
+    for (;;) {
+      const news = newsBetween(this.told, wanted, TOLD_AT_ONCE);
+      if (news.clips.length + news.gone.length === 0) return;
+      for (const clip of news.gone) this.told.delete(clip);
+      for (const clip of news.clips) this.told.set(clip, wanted.get(clip));
+      const { buffer } = news.values;
+      await this.start((api, job) => api.tell(job, transfer(news, [buffer])), work);
+    }
   }
 
   private forget(): void {
@@ -195,12 +201,13 @@ class WorkerComparer implements Comparer {
   }
 }
 
-/** What turns the features told into those wanted. */
+/** What turns the features told into those wanted, or so many of them at first. */
 function newsBetween(
-  told: ReadonlyMap<ClipId, Told>,
+  told: ReadonlyMap<ClipId, Told | undefined>,
   wanted: ReadonlyMap<ClipId, Told>,
-): FeatureNews {
-  const fresh = [...wanted].filter(([clip, one]) => told.get(clip) !== one);
+  most: number,
+): FeatureNews & { readonly values: Float64Array<ArrayBuffer> } {
+  const fresh = [...wanted].filter(([clip, one]) => told.get(clip) !== one).slice(0, most);
   const values = new Float64Array(fresh.length * featureLength);
   fresh.forEach(([, { feature }], index) => packFeature(feature, values, index));
   return {

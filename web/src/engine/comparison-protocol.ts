@@ -1,6 +1,6 @@
 /**
  * What the page and the comparison's worker say to each other: plain data and typed arrays. Features
- * are told once, with a comparison; every request but `compare` and `warp` speaks of the comparison made last.
+ * are told once; every request but `tell`, `compare` and `warp` speaks of the comparison made last.
  */
 import type {
   ClipFeature,
@@ -34,11 +34,9 @@ export interface FeatureNews {
 export interface ComparisonApi {
   listen(listener: WorkerListener): void;
   cancel(job: JobId): void;
-  compare(
-    job: JobId,
-    settings: ComparisonSettings,
-    news: FeatureNews,
-  ): Promise<Outcome<Comparison>>;
+  tell(job: JobId, news: FeatureNews): Promise<Outcome<null>>;
+  /** Compares the clips told so far. */
+  compare(job: JobId, settings: ComparisonSettings): Promise<Outcome<Comparison>>;
   cut(job: JobId, clusters: number): Promise<Outcome<Cut>>;
   picture(job: JobId, region: MatrixRegion): Promise<Outcome<MatrixPicture>>;
   explain(job: JobId, a: ClipId, b: ClipId): Promise<Outcome<Explanation>>;

@@ -54,13 +54,18 @@ export class ComparisonWorker implements ComparisonApi {
     this.jobs.cancel(job);
   }
 
-  compare(
-    job: JobId,
-    settings: ComparisonSettings,
-    news: FeatureNews,
-  ): Promise<Outcome<Comparison>> {
+  tell(job: JobId, { clips, names, values, gone }: FeatureNews): Promise<Outcome<null>> {
     return this.outcome(job, (set) => {
-      tell(set, news);
+      for (const clip of gone) set.removeFeature(clip);
+      clips.forEach((clip, index) => {
+        set.setFeature(clip, names[index] ?? '', unpackFeature(values, index, 0));
+      });
+      return null;
+    });
+  }
+
+  compare(job: JobId, settings: ComparisonSettings): Promise<Outcome<Comparison>> {
+    return this.outcome(job, (set) => {
       const work = this.comparing.then(async () => {
         await this.jobs.turn(job);
         set.begin(settings);
@@ -172,11 +177,4 @@ export class ComparisonWorker implements ComparisonApi {
       throw new CoreFailure(failureOf('engine-unavailable', String(error)));
     }
   }
-}
-
-function tell(set: CoreSet, { clips, names, values, gone }: FeatureNews): void {
-  for (const clip of gone) set.removeFeature(clip);
-  clips.forEach((clip, index) => {
-    set.setFeature(clip, names[index] ?? '', unpackFeature(values, index, 0));
-  });
 }
