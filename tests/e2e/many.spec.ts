@@ -36,12 +36,12 @@ test('a clip opened before its turn has its keyposes; a cancel keeps the rest', 
   page,
 }) => {
   await page.goto(`${stageOff}&workers=1`);
-  await app.drop(filledFolder(150));
-  await page.waitForFunction(isCompared, 150);
+  await app.drop(filledFolder(500));
+  await page.waitForFunction(isCompared, 500);
   await app.button('Cancel reading').click();
   await expect(page.locator('.progress-card')).toHaveCount(0);
-  await expect(page.locator('.library-count')).toHaveText('151 clips');
-  await app.field('Filter by name or label').fill('m149');
-  await app.row('m149.bvh').getByRole('button').first().click();
+  await expect(page.locator('.library-count')).toHaveText('501 clips');
+  await app.field('Filter by name or label').fill('m499');
+  await app.row('m499.bvh').getByRole('button').first().click();
   await expect(app.section('Result')).toContainText('keyposes');
 });
