@@ -5,6 +5,7 @@ export default defineConfig({
   test: {
     include: ['web/src/**/*.test.ts', 'tests/**/*.test.ts'],
     environment: 'node',
+    setupFiles: ['web/src/app/i18n/test-words.ts'],
     maxWorkers: 2,
   },
 });

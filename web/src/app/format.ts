@@ -54,6 +54,10 @@ function clockText(seconds: number): string {
     : `${Math.floor(minutes / 60)}:${pad(minutes % 60)}:${rest}`;
 }
 
+/** The least power of ten that is not below a probability. */
+const exponentAbove = (p: number): number =>
+  p > 0 ? Math.max(smallestExponent, Math.ceil(Math.log10(p))) : smallestExponent;
+
 export function createFormat(language: string): Format {
   const formats = new Map<string, Intl.NumberFormat>();
   const number = (value: number, options: Intl.NumberFormatOptions): string => {
@@ -88,11 +92,7 @@ export function createFormat(language: string): Format {
         maximumFractionDigits: value < 100 ? 1 : 0,
       });
     },
-    probability: (p) => {
-      if (p >= 0.001) return `= ${decimal(p, 3)}`;
-      const exponent =
-        p > 0 ? Math.max(smallestExponent, Math.ceil(Math.log10(p))) : smallestExponent;
-      return `< 10${superscript(exponent)}`;
-    },
+    probability: (p) =>
+      p >= 0.001 ? `= ${decimal(p, 3)}` : `< 10${superscript(exponentAbove(p))}`,
   };
 }

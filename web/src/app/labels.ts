@@ -2,7 +2,7 @@
  * Where labels come from in; the label of every clip out, and how a label looks. Those given by hand
  * come before; a clip for which nothing is said has none (null).
  */
-import { labelShapes, type LabelShape } from '../compare/label-shape';
+import { labelShapes, type LabelShape } from '../common/label-shape';
 import type { ClipId, ClipSource } from '../engine/types';
 import type { LabelRule } from './compare-store';
 import { labelInName, parsePattern } from './label-pattern';

@@ -1,7 +1,7 @@
 /** The place of a label among all in; its shape in its colour out. The label's name stands beside it. */
 import { html, type TemplateResult } from 'lit-html';
 import { labelStyle } from '../app/labels';
-import { shapePath } from '../compare/label-shape';
+import { shapePath } from './label-shape';
 
 const boxPx = 12;
 const radius = 4;

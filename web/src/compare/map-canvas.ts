@@ -3,7 +3,7 @@ import { prepareCanvas } from '../timeline/canvas';
 import type { ComparePalette } from './compare-palette';
 import { convexHull, type Point } from './hull';
 import { middleMember, type Anchor } from './map-layout';
-import { shapePath } from './label-shape';
+import { shapePath } from '../common/label-shape';
 import { markLook } from './mark-tag';
 import type { Scene } from './scene';
 import type { ItemPair } from './shared';

@@ -1,7 +1,7 @@
 /** A label and a place in; its shape in its colour as SVG text out. */
 import { labelStyle } from '../app/labels';
 import { labelColour, type ComparePalette } from './compare-palette';
-import { shapePath, type LabelShape } from './label-shape';
+import { shapePath, type LabelShape } from '../common/label-shape';
 import { tag, textTag, type Attributes } from './svg-text';
 
 export interface MarkLook {

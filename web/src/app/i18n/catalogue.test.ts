@@ -2,10 +2,14 @@ import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
 import { ENGINE_FAILURES } from '../../engine/failures';
 import { fill, wordsFor, type Message } from './catalogue';
-import { en } from './en';
+import { en as studyWords } from './en';
 import { englishFailures, englishNotes } from './en-notes';
-import { ja } from './ja';
+import { ja as studyWordsJa } from './ja';
 import { japaneseFailures, japaneseNotes } from './ja-notes';
+import { setWords } from './set-words';
+
+const en = { ...studyWords, ...setWords.en };
+const ja = { ...studyWordsJa, ...setWords.ja };
 
 const places = (text: string): string[] => [...new Set(text.match(/\{\d\}/g) ?? [])].sort();
 const forms = (message: Message): string[] =>

@@ -5,15 +5,25 @@
  */
 import type { Failure, Note } from '../../engine/types';
 import { createFormat, type Format } from '../format';
-import { en, type MessageKey } from './en';
+import { en } from './en';
+import type { englishCompare } from './en-compare';
+import type { englishDistance } from './en-distance';
+import type { englishMatrix } from './en-matrix';
 import { englishFailures, englishNotes } from './en-notes';
+import type { englishPair } from './en-pair';
 import { ja } from './ja';
 import { japaneseFailures, japaneseNotes } from './ja-notes';
 
-export type { MessageKey };
+/** Sentences that come with Compare and Pair. */
+export type SetMessageKey =
+  | keyof typeof englishCompare
+  | keyof typeof englishDistance
+  | keyof typeof englishMatrix
+  | keyof typeof englishPair;
+
+export type MessageKey = keyof typeof en | SetMessageKey;
 export type Language = 'en' | 'ja';
 export type Message = string | { readonly one: string; readonly other: string };
-export type Catalogue = Readonly<Record<MessageKey, Message>>;
 export type Argument = string | number;
 
 export interface Words {
@@ -30,7 +40,7 @@ export interface Words {
 }
 
 interface Book {
-  readonly messages: Catalogue;
+  messages: Readonly<Partial<Record<MessageKey, Message>>>;
   readonly notes: Readonly<Record<string, string>>;
   readonly failures: Readonly<Record<string, string>>;
 }
@@ -39,6 +49,15 @@ const books: Readonly<Record<Language, Book>> = {
   en: { messages: en, notes: englishNotes, failures: englishFailures },
   ja: { messages: ja, notes: japaneseNotes, failures: japaneseFailures },
 };
+
+/** Sentences of a page that is fetched later; until they are there, a key stands for itself. */
+export function addWords(
+  more: Readonly<Record<Language, Readonly<Partial<Record<MessageKey, Message>>>>>,
+): void {
+  for (const language of ['en', 'ja'] as const) {
+    books[language].messages = { ...books[language].messages, ...more[language] };
+  }
+}
 
 /** Puts the values in the places `{0}`, `{1}` … of a template. */
 export function fill(template: string, values: readonly string[]): string {
@@ -74,7 +93,7 @@ export function wordsFor(language: Language): Words {
   return {
     language,
     format,
-    t: (key, ...values) => fill(form(book.messages[key], values), values.map(text)),
+    t: (key, ...values) => fill(form(book.messages[key] ?? key, values), values.map(text)),
     note: ({ kind, details }) => fill(book.notes[kind] ?? [kind, ...details].join(' '), details),
     noteParts: ({ kind, details }) => {
       const template = book.notes[kind] ?? [kind, ...details].join(' ');

@@ -2,7 +2,6 @@
 import type { Message } from './catalogue';
 
 export const englishCompare = {
-  'library.label': 'Label: {0}',
   'bar.name': 'What is compared, and how',
   'bar.distance': 'Distance',
   'bar.tree': 'Tree',

@@ -1,16 +1,8 @@
-/** Every sentence of the page in English. `{0}`, `{1}` … are filled; two forms go by the first number. */
-import { englishCompare } from './en-compare';
-import { englishDistance } from './en-distance';
+/** Every sentence of the study and the page around it in English. `{0}`, `{1}` … are filled; two forms go by the first number. */
 import { englishInspector } from './en-inspector';
-import { englishMatrix } from './en-matrix';
-import { englishPair } from './en-pair';
 
 export const en = {
-  ...englishCompare,
-  ...englishDistance,
   ...englishInspector,
-  ...englishMatrix,
-  ...englishPair,
   'language.other': '日本語',
   'unit.seconds': '{0} s',
   'unit.hertz': '{0} Hz',
@@ -58,6 +50,7 @@ export const en = {
   'top.inspector': 'Details',
   'top.bar': 'Keypose',
 
+  'library.label': 'Label: {0}',
   'library.title': 'Library',
   'library.count': { one: '{0} clip', other: '{0} clips' },
   'library.count.shown': '{0} of {1}',
@@ -318,5 +311,3 @@ export const en = {
   'posture.trunk-upright': 'upright',
   'posture.join': '{0}, {1}',
 } as const satisfies Record<string, string | { readonly one: string; readonly other: string }>;
-
-export type MessageKey = keyof typeof en;

@@ -3,7 +3,6 @@ import type { Message } from './catalogue';
 import type { englishCompare } from './en-compare';
 
 export const japaneseCompare: Readonly<Record<keyof typeof englishCompare, Message>> = {
-  'library.label': 'ラベル：{0}',
   'bar.name': '比較の対象と方法',
   'bar.distance': '距離',
   'bar.tree': '樹形図',

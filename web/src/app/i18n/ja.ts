@@ -1,17 +1,10 @@
-/** Every sentence of the page in Japanese; the keys are those of `en`. */
-import type { Catalogue } from './catalogue';
-import { japaneseCompare } from './ja-compare';
-import { japaneseDistance } from './ja-distance';
+/** Every sentence of the study and the page around it in Japanese; the keys are those of `en`. */
+import type { Message } from './catalogue';
+import type { en } from './en';
 import { japaneseInspector } from './ja-inspector';
-import { japaneseMatrix } from './ja-matrix';
-import { japanesePair } from './ja-pair';
 
-export const ja: Catalogue = {
-  ...japaneseCompare,
-  ...japaneseDistance,
+export const ja: Readonly<Record<keyof typeof en, Message>> = {
   ...japaneseInspector,
-  ...japaneseMatrix,
-  ...japanesePair,
   'language.other': 'English',
   'unit.seconds': '{0} s',
   'unit.hertz': '{0} Hz',
@@ -59,6 +52,7 @@ export const ja: Catalogue = {
   'top.inspector': '詳細',
   'top.bar': 'Keypose',
 
+  'library.label': 'ラベル：{0}',
   'library.title': 'ライブラリ',
   'library.count': '{0} 件',
   'library.count.shown': '{1} 件中 {0} 件',
