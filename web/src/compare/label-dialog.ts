@@ -82,6 +82,10 @@ function form(words: Words, draft: Draft, onApply: () => void): TemplateResult {
     // What has been written since the last drawing counts too.
     if (draft.preview.peek().fault === null) onApply();
   };
+  // The button may still be barred from before the last letter, and then Enter would submit nothing.
+  const onKey = (event: KeyboardEvent): void => {
+    if (event.key === 'Enter' && !event.isComposing) onSubmit(event);
+  };
   return html`<form class="label-form" @submit=${onSubmit}>
     <label for="label-pattern">${t('labels.pattern-field')}</label>
     <div class="field">
@@ -95,6 +99,7 @@ function form(words: Words, draft: Draft, onApply: () => void): TemplateResult {
         aria-invalid=${String(preview.fault !== null)}
         .value=${live(draft.pattern.value)}
         @input=${onInput}
+        @keydown=${onKey}
       />
     </div>
     <p id="label-about" class="quiet">${t('labels.about')}</p>
