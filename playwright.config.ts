@@ -1,7 +1,7 @@
 // The browser tests: tests/e2e and tests/parity, in Chromium, against the built app.
 import { createHash } from 'node:crypto';
 import { defineConfig } from '@playwright/test';
-import { chromiumArguments, findChromium } from './scripts/chromium.mjs';
+import { chromiumArguments, findChromium, flatArguments } from './scripts/chromium.mjs';
 
 /** KEYPOSE_PORT, or a port of this folder's own, so that several clones can be tested at once. */
 function port(): number {
@@ -11,6 +11,9 @@ function port(): number {
     .digest();
   return 20_000 + (hash.readUInt32LE() % 20_000);
 }
+
+/** Tests that look at the stage; the others run quicker in a browser without WebGL. */
+const drawn = /(stage|page|pair|appearance)\.spec\.ts/;
 
 const address = `http://127.0.0.1:${port()}`;
 const vite = `"${process.execPath}" node_modules/vite/bin/vite.js`;
@@ -34,8 +37,19 @@ export default defineConfig({
     actionTimeout: 15_000,
     // Without its film, which costs as much as the tests.
     trace: { mode: 'retain-on-failure', screenshots: false },
-    launchOptions: { executablePath: findChromium(), args: chromiumArguments },
   },
+  projects: [
+    {
+      name: 'drawn',
+      testMatch: drawn,
+      use: { launchOptions: { executablePath: findChromium(), args: chromiumArguments } },
+    },
+    {
+      name: 'flat',
+      testIgnore: drawn,
+      use: { launchOptions: { executablePath: findChromium(), args: flatArguments } },
+    },
+  ],
   webServer: {
     command: `${vite} build --logLevel warn && ${vite} preview --host 127.0.0.1 --port ${port()} --strictPort`,
     url: address,

@@ -61,10 +61,15 @@ export function ensureChromium(say) {
     throw new Error('Chromium was installed but is not found: set CHROMIUM_PATH.');
 }
 
+const asRoot = process.getuid?.() === 0 ? ['--no-sandbox'] : [];
+
 /** Chromium's arguments: WebGL 2 in software, and no sandbox for root, who cannot have one. */
 export const chromiumArguments = [
   '--use-gl=angle',
   '--use-angle=swiftshader',
   '--enable-unsafe-swiftshader',
-  ...(process.getuid?.() === 0 ? ['--no-sandbox'] : []),
+  ...asRoot,
 ];
+
+/** For pages without WebGL: nothing is rasterised by way of it. */
+export const flatArguments = ['--disable-gpu', ...asRoot];

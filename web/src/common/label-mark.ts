@@ -6,7 +6,9 @@ import { shapePath } from './label-shape';
 const boxPx = 12;
 const radius = 4;
 
+/** Nothing for -1: a label that is gone while scores of before still stand. */
 export function labelMark(index: number): TemplateResult {
+  if (index < 0) return html``;
   const { colour, shape, open } = labelStyle(index);
   const path = shapePath(shape, boxPx / 2, boxPx / 2, open ? radius - 0.6 : radius);
   return html`<svg
