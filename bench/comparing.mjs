@@ -35,7 +35,7 @@ export function compareNatively({ folder }, threads) {
 /** The set dropped at once on the app, the page of comparison open. */
 export function compareInApp(address, { folder }, workers) {
   return inApp(address, `?stage=off&workers=${workers}`, async (app) => {
-    const { longestTaskMs: startTaskMs } = await app.probe();
+    const startTaskMs = await app.takeLongestTask();
     await app.drop(folder);
     await app.page.locator('.top-bar').getByText('Compare', { exact: true }).click();
     await app.until((ms) => {
