@@ -33,6 +33,3 @@ pub mod run;
 pub mod settings;
 pub mod spread;
 pub mod warping;
-
-#[cfg(test)]
-mod test_random;

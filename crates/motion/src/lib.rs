@@ -36,6 +36,3 @@ pub mod skeleton;
 pub mod speed;
 pub mod track;
 pub mod world;
-
-#[cfg(test)]
-mod test_random;

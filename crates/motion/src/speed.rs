@@ -218,7 +218,7 @@ fn part_of_lane(first_column: usize) -> [usize; LANES] {
 mod tests {
     use super::*;
     use crate::hodrick_prescott::low_pass;
-    use crate::test_random::Random;
+    use test_support::Random;
 
     fn random_track(frames: usize, joint_count: usize) -> PelvisTrack {
         let mut random = Random::new(frames as u64);

@@ -2,15 +2,13 @@
 //! included.
 
 mod support;
-#[path = "../src/test_random.rs"]
-mod test_random;
 
 use motion::hodrick_prescott::low_pass;
 use motion::keypose::Options;
 use motion::keypose::candidates::minima;
 use motion::keypose::correspondence::partners;
 use support::{golden_clips, numbers};
-use test_random::Random;
+use test_support::Random;
 
 /// The plain table: the least (Σ |Δt|, Σ partner index) over all order-preserving assignments.
 fn partners_by_table(smaller: &[usize], larger: &[usize]) -> Vec<usize> {

@@ -2,7 +2,6 @@
 import { html, nothing, render, type TemplateResult } from 'lit-html';
 import { untracked } from '@preact/signals-core';
 import type { Words } from '../app/i18n/catalogue';
-import { ordinal } from '../app/ordinal';
 import { drawn } from '../common/directives';
 import { element } from '../common/element';
 import type { Explanation } from '../engine/comparison-types';
@@ -100,7 +99,7 @@ function labelLine(scene: Scene, item: number, { t }: Words): TemplateResult {
 function factsOf(words: Words, { comparison }: Scene, known: Explanation | null): TemplateResult {
   const { t, format } = words;
   const distance = known ? format.decimal(known.distance, distanceDigits) : ' ';
-  const rank = known ? t('matrix.rank', ordinal(words, known.rank), comparison.pairs) : ' ';
+  const rank = known ? t('matrix.rank', format.ordinal(known.rank), comparison.pairs) : ' ';
   return html`<strong class="tip-distance">${distance}</strong>
     <span class="tip-rank">${rank}${known?.mirrored ? ` · ${t('matrix.mirrored')}` : nothing}</span>
     <span class="tip-key"><kbd>↵</kbd>${t('matrix.open')}</span>`;
@@ -119,5 +118,5 @@ export function spokenPair(
   if (!known) return t('matrix.pair.unranked', nameA, nameB, '…');
   const distance = format.decimal(known.distance, distanceDigits);
   const { pairs } = scene.comparison;
-  return t('matrix.pair', nameA, nameB, distance, ordinal(words, known.rank), pairs);
+  return t('matrix.pair', nameA, nameB, distance, format.ordinal(known.rank), pairs);
 }

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::distance::Dissimilarity;
-use crate::test_random::Random;
+use test_support::Random;
 
 /// A clip whose feature is the sum of the given parts of joints.
 fn clip(parts: &[(usize, usize, f64)]) -> ClipFeature {

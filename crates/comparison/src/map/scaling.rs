@@ -15,25 +15,10 @@ const MOST_STEPS: usize = 200;
 /// The map of vectors by their Euclidean distances: their principal axes, exact.
 #[must_use]
 pub fn of_vectors(vectors: &[Vector]) -> Map {
-    let count = vectors.len().max(1) as f64;
-    let mut middle = [0.0; FEATURE_LENGTH];
-    for vector in vectors {
-        for (sum, value) in middle.iter_mut().zip(vector) {
-            *sum += value;
-        }
-    }
-    let middle = middle.map(|sum| sum / count);
+    let middle = middle_of(vectors);
     let from_middle =
         |vector: &Vector| -> Vector { core::array::from_fn(|index| vector[index] - middle[index]) };
-    let mut scatter = [[0.0; FEATURE_LENGTH]; FEATURE_LENGTH];
-    for vector in vectors {
-        let vector = from_middle(vector);
-        for (row, value) in scatter.iter_mut().zip(vector) {
-            for (sum, other) in row.iter_mut().zip(vector) {
-                *sum += value * other;
-            }
-        }
-    }
+    let scatter = scatter_of(vectors.iter().map(from_middle));
     let apply = |from: &[f64], to: &mut [f64]| {
         for (sum, row) in to.iter_mut().zip(&scatter) {
             *sum = dot(row, from);
@@ -55,6 +40,29 @@ pub fn of_vectors(vectors: &[Vector]) -> Map {
         spread: spread(&found.values),
         squares_from_middle: vectors.iter().map(square).collect(),
     }
+}
+
+fn middle_of(vectors: &[Vector]) -> Vector {
+    let mut sums = [0.0; FEATURE_LENGTH];
+    for vector in vectors {
+        for (sum, value) in sums.iter_mut().zip(vector) {
+            *sum += value;
+        }
+    }
+    sums.map(|sum| sum / vectors.len().max(1) as f64)
+}
+
+/// The sum of the products of the components of vectors from their middle, pair by pair.
+fn scatter_of(from_middle: impl Iterator<Item = Vector>) -> [Vector; FEATURE_LENGTH] {
+    let mut scatter = [[0.0; FEATURE_LENGTH]; FEATURE_LENGTH];
+    for vector in from_middle {
+        for (row, value) in scatter.iter_mut().zip(vector) {
+            for (sum, other) in row.iter_mut().zip(vector) {
+                *sum += value * other;
+            }
+        }
+    }
+    scatter
 }
 
 /// The map of any distances. Its spread is exact up to 300 items; above, it is that of 300 items

@@ -117,7 +117,7 @@ fn turn(pair: &mut [Vec<f64>], sine: f64, cosine: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_random::Random;
+    use test_support::Random;
 
     #[test]
     fn values_and_vectors_satisfy_their_definition() {

@@ -98,7 +98,7 @@ fn mean_distances(posture: &Posture, block: &[f64x4; WIDTH]) -> f64x4 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_random::Random;
+    use test_support::Random;
 
     fn postures(count: usize) -> Vec<Posture> {
         let mut random = Random::new(2);

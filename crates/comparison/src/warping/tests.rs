@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::feature::JOINTS;
-use crate::test_random::Random;
+use test_support::Random;
 
 const WIDTH: usize = 3 * JOINTS;
 

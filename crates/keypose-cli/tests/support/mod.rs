@@ -1,12 +1,16 @@
-//! The command and folders for it; the folder of test data, which is not part of the repository.
+//! The command, and folders for it.
 
-#![allow(dead_code, reason = "not every test file uses all of this module")]
+#![allow(
+    dead_code,
+    unused_imports,
+    reason = "not every test file uses all of this module"
+)]
 
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-use serde_json::Value;
+pub use test_support::{data_folder, numbers};
 
 /// A folder of its own for a test, emptied before use.
 pub fn folder(name: &str) -> PathBuf {
@@ -27,27 +31,4 @@ pub fn keypose(arguments: &[&str]) -> Output {
 /// Bytes as text.
 pub fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
-}
-
-/// The folder named by `KEYPOSE_DATA`, else `../shared/data` beside the project; none, and a line
-/// that says so, where it is absent.
-pub fn data_folder() -> Option<PathBuf> {
-    let beside_project = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data");
-    let folder = std::env::var_os("KEYPOSE_DATA").map_or(beside_project.into(), PathBuf::from);
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    eprintln!(
-        "skipped: no test data in {} (KEYPOSE_DATA)",
-        folder.display()
-    );
-    None
-}
-
-/// A list of numbers.
-pub fn numbers(value: &Value) -> Vec<f64> {
-    let list = value.as_array().expect("a list");
-    list.iter()
-        .map(|number| number.as_f64().expect("a number"))
-        .collect()
 }

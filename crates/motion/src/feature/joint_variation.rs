@@ -93,8 +93,8 @@ fn product(one: &Row, other: &Row) -> Row {
 mod tests {
     use super::*;
     use crate::feature::posture_variation;
-    use crate::test_random::Random;
     use crate::track::PelvisTrack;
+    use test_support::Random;
 
     fn postures(frames: usize, middle: f64) -> Vec<[f64; WIDTH]> {
         let mut random = Random::new(7);

@@ -2,7 +2,7 @@
 
 use super::factors::Settled;
 use super::*;
-use crate::test_random::Random;
+use test_support::Random;
 
 /// A number of twice the precision: an unevaluated sum, the second part small beside the first
 /// (T. J. Dekker, "A floating-point technique for extending the available precision", 1971).

@@ -126,7 +126,7 @@ impl Kept {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_random::Random;
+    use test_support::Random;
 
     /// The rule as it is written: drop the shallowest, merge its bumps, look again.
     fn minima_by_dropping(series: &[f64], floor: f64) -> Vec<usize> {

@@ -127,7 +127,7 @@ impl Line {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_random::Random;
+    use test_support::Random;
 
     /// Lance–Williams on the full table of squared distances, no thought given to the order.
     fn merges_by_table(values: &[f64]) -> Vec<Merge> {

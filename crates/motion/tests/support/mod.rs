@@ -1,6 +1,10 @@
-//! The folder of test data, which is not part of the repository.
+//! The golden values, and the analysed part of a motion.
 
-#![allow(dead_code, reason = "not every test file uses all of this module")]
+#![allow(
+    dead_code,
+    unused_imports,
+    reason = "not every test file uses all of this module"
+)]
 
 use std::fs;
 use std::path::PathBuf;
@@ -10,24 +14,7 @@ use motion::clip::Clip;
 use motion::rest::{self, LeadingRest};
 use motion::track::PelvisTrack;
 use serde_json::Value;
-
-/// The folder named by `KEYPOSE_DATA`, else `../shared/data` beside the project; none, and a line
-/// that says so, where it is absent.
-pub fn data_folder() -> Option<PathBuf> {
-    let beside_project = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/data");
-    let folder = std::env::var_os("KEYPOSE_DATA").map_or(beside_project.into(), PathBuf::from);
-    if folder.is_dir() {
-        return Some(folder);
-    }
-    #[expect(clippy::print_stderr, reason = "a skipped test says so")]
-    {
-        eprintln!(
-            "skipped: no test data in {} (KEYPOSE_DATA)",
-            folder.display()
-        );
-    }
-    None
-}
+pub use test_support::{data_folder, indices, numbers};
 
 /// The golden values of every clip: its name and the JSON object.
 pub fn golden_clips() -> Vec<(String, Value)> {
@@ -50,22 +37,6 @@ pub fn golden_clips() -> Vec<(String, Value)> {
                 .into_owned();
             (name, serde_json::from_str(&text).expect("JSON"))
         })
-        .collect()
-}
-
-/// A list of numbers.
-pub fn numbers(value: &Value) -> Vec<f64> {
-    let list = value.as_array().expect("a list");
-    list.iter()
-        .map(|number| number.as_f64().expect("a number"))
-        .collect()
-}
-
-/// A list of frames or indices.
-pub fn indices(value: &Value) -> Vec<usize> {
-    let list = value.as_array().expect("a list");
-    list.iter()
-        .map(|number| number.as_u64().expect("an index") as usize)
         .collect()
 }
 

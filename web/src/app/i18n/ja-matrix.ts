@@ -31,10 +31,10 @@ export const japaneseMatrix: Readonly<Record<keyof typeof englishMatrix, Message
   'matrix.label': '距離行列',
   'matrix.help':
     '矢印キーで組を移動、Space で選択、Enter で並べて見る、＋と－で拡大縮小、0 で全体。',
-  'matrix.pair': '{0} と {1}、{2}、{4} 組中 {3}',
+  'matrix.pair': '{0} と {1}、{2}、{4} 組中 {3} 番目',
   'matrix.pair.unranked': '{0} と {1}、{2}',
   'matrix.itself': '{0} 自身',
-  'matrix.rank': '{1} 組中 {0}',
+  'matrix.rank': '{1} 組中 {0} 番目',
   'matrix.with': 'と',
   'matrix.open': '開く',
   'matrix.mirrored': '左右反転',

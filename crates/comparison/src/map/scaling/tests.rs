@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::distance::euclidean;
-use crate::test_random::Random;
+use test_support::Random;
 
 /// Vectors whose numbers spread less and less.
 fn vectors(count: usize) -> Vec<Vector> {

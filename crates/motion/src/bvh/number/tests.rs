@@ -1,7 +1,7 @@
 //! Numbers of every shape against `str::parse`, to the bit.
 
 use super::*;
-use crate::test_random::Random;
+use test_support::Random;
 
 /// Reads the whole of `text` as a row does.
 fn read(text: &str) -> Word {

@@ -91,7 +91,7 @@ fn product(factor: u64, reciprocal: u128) -> (u64, u64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_random::Random;
+    use test_support::Random;
 
     fn check(significand: u64, power: usize) {
         let text = format!("{significand}e-{power}");

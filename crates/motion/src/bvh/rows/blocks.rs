@@ -133,7 +133,7 @@ impl Rows {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::test_random::Random;
+    use test_support::Random;
 
     /// What a block reads of a word that stands anywhere in it.
     fn read(word: &str, before: usize) -> Option<f64> {

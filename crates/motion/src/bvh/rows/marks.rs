@@ -68,7 +68,7 @@ fn at_least(bytes: u8x16, least: u8) -> u8x16 {
 mod tests {
     use super::*;
     use crate::bvh::place::is_blank;
-    use crate::test_random::Random;
+    use test_support::Random;
 
     #[test]
     fn every_byte_at_every_place_is_marked() {

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::keypose::SelectionRule;
-use crate::test_random::Random;
+use test_support::Random;
 
 /// A gait-like speed: four strides, each slow at its start, and a tremor.
 fn strides(len: usize) -> Vec<f64> {
