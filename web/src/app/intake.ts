@@ -69,15 +69,20 @@ interface Found {
   file?: Promise<File>;
 }
 
-/** Files asked for before their turn: each answer takes its time, however small the file. */
-const filesAhead = 32;
+/** Files asked for together, since each answer takes its time, however small the file. */
+const filesTogether = 16;
 
-function askAhead(waiting: readonly Found[]): void {
-  for (const next of waiting.slice(-filesAhead)) {
-    if (next.entry.isDirectory || !isMotionName(next.entry.name)) continue;
-    next.file ??= fileOf(next.entry as FileSystemFileEntry);
+/**
+ * Asks for a file and the next ones, in a task of its own: while questions are open the browser goes on
+ * handing over answers, thousands of them in one task.
+ */
+async function askTogether(next: readonly Found[]): Promise<void> {
+  await letMessagesIn();
+  for (const found of next) {
+    if (found.entry.isDirectory || !isMotionName(found.entry.name)) continue;
+    found.file = fileOf(found.entry as FileSystemFileEntry);
     // Its error is thrown when its turn comes.
-    next.file.catch(() => undefined);
+    found.file.catch(() => undefined);
   }
 }
 
@@ -91,9 +96,8 @@ export async function* motionsIn(directory: FileSystemDirectoryEntry): AsyncGene
       const entries = await allEntries((entry as FileSystemDirectoryEntry).createReader());
       waiting.push(...entries.reverse().map((child) => ({ entry: child, folder: inside })));
     } else if (isMotionName(entry.name)) {
-      askAhead(waiting);
-      const file = next.file ?? fileOf(entry as FileSystemFileEntry);
-      yield { name: entry.name, folder, blob: await file };
+      if (!next.file) await askTogether([...waiting.slice(1 - filesTogether), next]);
+      if (next.file) yield { name: entry.name, folder, blob: await next.file };
     }
   }
 }
