@@ -117,7 +117,9 @@ export class MatrixPane {
   private drawCells(scene: Scene, geometry: MatrixGeometry): void {
     void this.ratio.value;
     const palette = this.shared.palette.value;
-    const placed = this.shared.pictures.pictureFor(scene, geometry);
+    const { pictures } = this.shared;
+    pictures.side = Math.max(1, Math.round(geometry.side * window.devicePixelRatio));
+    const placed = pictures.pictureFor(scene, geometry);
     const colours = placed ? this.coloursOf(placed) : new Uint32Array();
     const font = getComputedStyle(this.place).fontFamily;
     this.cells.draw({ scene, geometry, palette, font, placed, colours });

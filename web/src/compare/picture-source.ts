@@ -10,25 +10,30 @@ import { isExact, type PlacedPicture } from './matrix-pixels';
 import type { Scene } from './scene';
 
 /** Up to so many clips the whole matrix is one exact picture. */
-const mostWhole = 1024;
+const mostExact = 1024;
+/** Before the matrix has a place on the page. */
+const usualSide = 600;
 const mostDetail = 1280;
 
 const sameOrder = (a: Int32Array, b: Int32Array): boolean =>
   a === b || (a.length === b.length && a.every((item, k) => item === b[k]));
 
-const whole = (scene: Scene): MatrixRegion => ({
+/** Of more clips a picture has no more rows than the page has pixels: each is the mean of its cells. */
+const whole = (scene: Scene, side: number): MatrixRegion => ({
   order: scene.order,
   firstRow: 0,
   rowCount: scene.count,
   firstColumn: 0,
   columnCount: scene.count,
-  most: mostWhole,
+  most: scene.count <= mostExact ? mostExact : Math.min(mostExact, side),
 });
 
 export class PictureSource {
   readonly scene = signal<Scene | null>(null);
   readonly overview = signal<PlacedPicture | null>(null);
   readonly detail = signal<PlacedPicture | null>(null);
+  /** Pixels of the device along a side of the matrix. */
+  side = usualSide;
   private latest: Scene | null = null;
   private asking = false;
   private wanted: MatrixRegion | null = null;
@@ -48,7 +53,7 @@ export class PictureSource {
   }
 
   private async begin(scene: Scene): Promise<void> {
-    const region = whole(scene);
+    const region = whole(scene, this.side);
     const picture = await this.comparer.picture(region).catch(() => null);
     // Where there is no picture, names, tree and map still tell of the set.
     if (this.latest === scene) this.show(scene, picture && { region, picture });
