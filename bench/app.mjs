@@ -4,7 +4,7 @@ import { copyFileSync, existsSync, linkSync, statSync } from 'node:fs';
 import { join } from 'node:path';
 import { chromium } from '@playwright/test';
 import { build, preview } from 'vite';
-import { chromiumArguments, findChromium } from '../scripts/chromium.mjs';
+import { chromiumArguments, findChromium, flatArguments } from '../scripts/chromium.mjs';
 import { root } from '../scripts/process.mjs';
 import { RendererMemory } from './memory.mjs';
 import { spread } from './statistics.mjs';
@@ -78,7 +78,8 @@ class App {
 export async function inApp(address, search, use) {
   const browser = await chromium.launch({
     executablePath: findChromium(),
-    args: chromiumArguments,
+    // Nothing is drawn by WebGL: the page itself need not be rasterised by way of it either.
+    args: search.includes('stage=off') ? flatArguments : chromiumArguments,
     timeout: 60_000,
   });
   try {
