@@ -2,8 +2,8 @@
 
 use crate::euler;
 use crate::posture::Posture;
-use crate::rig::{Joint, Skeleton};
 use crate::rotation::Rotation;
+use crate::skeleton::{Joint, Skeleton};
 use nalgebra::Vector3;
 use std::fmt::Write as _;
 

@@ -29,6 +29,7 @@ mod rotation;
 mod run;
 mod run_swing;
 mod sample;
+mod skeleton;
 mod take;
 mod variation;
 mod walk;

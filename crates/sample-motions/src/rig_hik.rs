@@ -5,7 +5,7 @@ use crate::body::{
     NECK, PELVIS, SHOULDER, Segment, Side, THORAX, TOE_TIP, WRIST,
 };
 use crate::euler::Axis;
-use crate::rig::{Skeleton, middle, on};
+use crate::skeleton::{Skeleton, middle, on};
 
 const ORDER: [Axis; 3] = [Axis::Z, Axis::X, Axis::Y];
 

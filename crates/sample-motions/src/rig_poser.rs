@@ -5,7 +5,7 @@ use crate::body::{
     NECK, PELVIS, SHOULDER, Segment, Side, THORAX, TOE_TIP, WRIST,
 };
 use crate::euler::Axis::{X, Y, Z};
-use crate::rig::{Skeleton, middle, on};
+use crate::skeleton::{Skeleton, middle, on};
 use nalgebra::Vector3;
 
 const TRUNK: [crate::euler::Axis; 3] = [X, Z, Y];

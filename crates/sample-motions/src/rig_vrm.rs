@@ -5,7 +5,7 @@ use crate::body::{
     SHOULDER, Segment, Side, THORAX, TOE_TIP, WRIST,
 };
 use crate::euler::Axis;
-use crate::rig::{Skeleton, middle, on};
+use crate::skeleton::{Skeleton, middle, on};
 use nalgebra::Vector3;
 
 const ORDER: [Axis; 3] = [Axis::Z, Axis::Y, Axis::X];

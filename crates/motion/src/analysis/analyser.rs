@@ -1,7 +1,7 @@
 //! The analysis of all performers of a clip, in steps.
 
-use super::performer::{PerformerRun, Settings};
-use super::settings::{Decisions, SettingsError, Source};
+use super::performer::PerformerRun;
+use super::settings::{Decisions, Settings, SettingsError, Source};
 use super::survey::Survey;
 use super::{Analysis, PerformerAnalysis};
 use crate::clip::Clip;

@@ -1,9 +1,9 @@
 //! What a performer's pieces come to: the pieces go in, the analysis with its notes comes out.
 
 use super::keypose_run::Extracted;
-use super::performer::Settings;
 use super::picture_run::Picture;
 use super::pose_run::Posed;
+use super::settings::Settings;
 use super::survey::PerformerSurvey;
 use super::{KeyposeAnalysis, PerformerAnalysis};
 use crate::clip::Clip;

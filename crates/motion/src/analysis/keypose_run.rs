@@ -1,7 +1,7 @@
 //! One performer's keyposes, from the track to what explains them, a part at a step: speed, trend,
 //! the candidates through the time scales, which of them are kept, and what slows down there.
 
-use super::performer::Settings;
+use super::settings::Settings;
 use crate::body::BODY_PARTS;
 use crate::hodrick_prescott::LowPass;
 use crate::keypose::{Extraction, Extractor, Options, OptionsError};

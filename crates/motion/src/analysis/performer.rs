@@ -6,10 +6,10 @@ use super::findings::Findings;
 use super::keypose_run::KeyposeRun;
 use super::picture_run::{Picture, PictureRun};
 use super::pose_run::{PoseRun, Posed};
-use super::settings::Decisions;
+use super::settings::Settings;
 use super::survey::PerformerSurvey;
 use crate::clip::Clip;
-use crate::keypose::{Options, OptionsError};
+use crate::keypose::OptionsError;
 use crate::track::PelvisTrack;
 
 /// With fewer analysed frames the speed has no inner value.
@@ -18,14 +18,6 @@ const FEWEST_FRAMES: usize = 4;
 /// The part of the whole that is done when the poses are, and when the keyposes are.
 const POSED: f64 = 0.3;
 const EXTRACTED: f64 = 0.98;
-
-/// What the pieces are made with.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
-    pub decisions: Decisions,
-    pub options: Options,
-    pub frame_rate_hz: f64,
-}
 
 /// The pieces of one performer, in the order in which they are made.
 #[derive(Clone, Debug, Default)]

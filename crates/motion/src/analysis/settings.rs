@@ -4,8 +4,16 @@ use core::fmt;
 
 use crate::body::Role;
 use crate::clip::Clip;
-use crate::keypose::OptionsError;
+use crate::keypose::{Options, OptionsError};
 use crate::world::{Unit, Up};
+
+/// What an analysis is made with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    pub decisions: Decisions,
+    pub options: Options,
+    pub frame_rate_hz: f64,
+}
 
 /// A person's decisions about one clip; none: as found.
 #[derive(Clone, Debug, Default, PartialEq)]
