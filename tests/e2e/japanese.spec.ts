@@ -98,6 +98,36 @@ test('the switch turns every view to Japanese and back, and stays', async ({ app
 
 test.describe('a Japanese browser', () => {
   test.use({ locale: 'ja-JP' });
+  test('fetches English words when English is chosen, and shows none before', async ({
+    app,
+    page,
+  }) => {
+    const books: string[] = [];
+    page.on('request', (request) => {
+      const book = /book-(en|ja)/.exec(request.url());
+      if (book?.[1]) books.push(book[1]);
+    });
+    await app.open();
+    await expect(page.locator('html')).toHaveAttribute('lang', 'ja');
+    await expect(page.locator('.sample-open')).toHaveCount(4);
+    expect(books).toEqual(['ja']);
+    // A slow network: the page stays Japanese, and whole, until all of English is there.
+    let release: () => void = () => undefined;
+    const held = new Promise<void>((done) => {
+      release = done;
+    });
+    await page.route(/book-en/, async (route) => {
+      await held;
+      await route.continue();
+    });
+    await page.getByRole('button', { name: 'English' }).click();
+    await expect.poll(() => books).toEqual(['ja', 'en']);
+    await expectNoEnglish(page);
+    release();
+    await expect(page.locator('html')).toHaveAttribute('lang', 'en');
+    await expect(page.getByRole('heading', { level: 1 })).toContainText('See the keyposes');
+  });
+
   test('is met in Japanese', async ({ app, page }) => {
     await app.openWith(...sampleFiles('walk-hik-30'));
     await expect(page.locator('html')).toHaveAttribute('lang', 'ja');

@@ -55,5 +55,5 @@ const root = document.querySelector<HTMLElement>('#app');
 if (root) {
   const context = createContext();
   // In a task of its own: together with the first run of the modules it would last over 50 ms.
-  setTimeout(() => start(root, context));
+  void context.language.need('page').then(() => setTimeout(() => start(root, context)));
 }

@@ -1,6 +1,4 @@
 /** The place of the page in; a set of clips compared out: bar, matrix, evaluation, map and tabs. */
-import { addWords } from '../app/i18n/catalogue';
-import { setWords } from '../app/i18n/set-words';
 import '../styles/compare.css';
 import { computed, signal } from '@preact/signals-core';
 import { html, nothing, render, type TemplateResult } from 'lit-html';
@@ -40,7 +38,6 @@ const part = (place: HTMLElement, selector: string): HTMLElement => {
 };
 
 export function mountCompare(place: HTMLElement, context: Context): void {
-  addWords(setWords);
   render(skeleton, place);
   const shared = createShared(place, context);
   const pane = new MatrixPane(part(place, '.matrix-pane'), shared);

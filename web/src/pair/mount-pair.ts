@@ -1,6 +1,4 @@
 /** The place of the page in; two or more clips on one clock out. */
-import { addWords } from '../app/i18n/catalogue';
-import { setWords } from '../app/i18n/set-words';
 import '../styles/pair.css';
 import { html, type TemplateResult } from 'lit-html';
 import type { Context } from '../app/context';
@@ -21,7 +19,6 @@ import { captionAt } from './stage-words';
 import { timingOf } from './timing';
 
 export function mountPair(place: HTMLElement, context: Context, settings: StageSettings): void {
-  addWords(setWords);
   const state = createPairState(context);
   const places = layOut(place);
   context.pageKeys.set('pair', pairKeys(state));

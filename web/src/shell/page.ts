@@ -93,7 +93,8 @@ function topBarProps(context: Context): TopBarProps {
     onClip: (direction) => actions.openNeighbour(direction),
     onUndo: () => actions.undo(),
     onRedo: () => actions.redo(),
-    onLanguage: () => language.choose(words.language === 'en' ? 'ja' : 'en'),
+    // What cannot be fetched is told by the page's own listener.
+    onLanguage: () => void language.choose(words.language === 'en' ? 'ja' : 'en'),
     onTheme: () =>
       theme.choose(
         themeChoices[(themeChoices.indexOf(choice) + 1) % themeChoices.length] ?? 'system',

@@ -21,7 +21,8 @@ export function showPages(places: Places, context: Context, settings: StageSetti
   const load = async (page: LatePage): Promise<void> => {
     asked.add(page);
     try {
-      (await loaders[page]())(places[page], context, settings);
+      const [mount] = await Promise.all([loaders[page](), context.language.need('sets')]);
+      mount(places[page], context, settings);
     } catch (error) {
       asked.delete(page);
       throw error;

@@ -6,10 +6,11 @@ import { en as studyWords } from './en';
 import { englishFailures, englishNotes } from './en-notes';
 import { ja as studyWordsJa } from './ja';
 import { japaneseFailures, japaneseNotes } from './ja-notes';
-import { setWords } from './set-words';
+import { book as setWords } from './set-book-en';
+import { book as setWordsJa } from './set-book-ja';
 
-const en = { ...studyWords, ...setWords.en };
-const ja = { ...studyWordsJa, ...setWords.ja };
+const en = { ...studyWords, ...setWords.messages };
+const ja = { ...studyWordsJa, ...setWordsJa.messages };
 
 const places = (text: string): string[] => [...new Set(text.match(/\{\d\}/g) ?? [])].sort();
 const forms = (message: Message): string[] =>

@@ -5,14 +5,11 @@
  */
 import type { Failure, Note } from '../../engine/types';
 import { createFormat, type Format } from '../format';
-import { en } from './en';
+import type { en } from './en';
 import type { englishCompare } from './en-compare';
 import type { englishDistance } from './en-distance';
 import type { englishMatrix } from './en-matrix';
-import { englishFailures, englishNotes } from './en-notes';
 import type { englishPair } from './en-pair';
-import { ja } from './ja';
-import { japaneseFailures, japaneseNotes } from './ja-notes';
 
 /** Sentences that come with Compare and Pair. */
 export type SetMessageKey =
@@ -39,24 +36,25 @@ export interface Words {
   readonly failure: (failure: Failure) => string;
 }
 
-interface Book {
-  messages: Readonly<Partial<Record<MessageKey, Message>>>;
+/** Words of one language, or of a part of the app in it. */
+export interface Book {
+  readonly messages: Readonly<Partial<Record<MessageKey, Message>>>;
   readonly notes: Readonly<Record<string, string>>;
   readonly failures: Readonly<Record<string, string>>;
 }
 
-const books: Readonly<Record<Language, Book>> = {
-  en: { messages: en, notes: englishNotes, failures: englishFailures },
-  ja: { messages: ja, notes: japaneseNotes, failures: japaneseFailures },
-};
+const nothing: Book = { messages: {}, notes: {}, failures: {} };
 
-/** Sentences of a page that is fetched later; until they are there, a key stands for itself. */
-export function addWords(
-  more: Readonly<Record<Language, Readonly<Partial<Record<MessageKey, Message>>>>>,
-): void {
-  for (const language of ['en', 'ja'] as const) {
-    books[language].messages = { ...books[language].messages, ...more[language] };
-  }
+const books: Record<Language, Book> = { en: nothing, ja: nothing };
+
+/** Until its words are there, a key stands for itself. */
+export function addWords(language: Language, more: Book): void {
+  const { messages, notes, failures } = books[language];
+  books[language] = {
+    messages: { ...messages, ...more.messages },
+    notes: { ...notes, ...more.notes },
+    failures: { ...failures, ...more.failures },
+  };
 }
 
 /** Puts the values in the places `{0}`, `{1}` … of a template. */
@@ -78,7 +76,6 @@ function splitNote(template: string, language: Language): { what: string; assume
 }
 
 export function wordsFor(language: Language): Words {
-  const book = books[language];
   const plural = new Intl.PluralRules(language);
   const format = createFormat(language);
 
@@ -89,19 +86,21 @@ export function wordsFor(language: Language): Words {
   };
   const text = (value: Argument): string =>
     typeof value === 'number' ? format.integer(value) : value;
+  const template = ({ kind, details }: Pick<Note, 'kind' | 'details'>): string =>
+    books[language].notes[kind] ?? [kind, ...details].join(' ');
 
   return {
     language,
     format,
-    t: (key, ...values) => fill(form(book.messages[key] ?? key, values), values.map(text)),
-    note: ({ kind, details }) => fill(book.notes[kind] ?? [kind, ...details].join(' '), details),
-    noteParts: ({ kind, details }) => {
-      const template = book.notes[kind] ?? [kind, ...details].join(' ');
-      const { what, assumed } = splitNote(template, language);
-      return { what: fill(what, details), assumed: fill(assumed, details) };
+    t: (key, ...values) =>
+      fill(form(books[language].messages[key] ?? key, values), values.map(text)),
+    note: (note) => fill(template(note), note.details),
+    noteParts: (note) => {
+      const { what, assumed } = splitNote(template(note), language);
+      return { what: fill(what, note.details), assumed: fill(assumed, note.details) };
     },
     // Why a clip has no keyposes is told as a failure, in the words of the note.
-    failure: ({ kind, details }) =>
-      fill(book.failures[kind] ?? book.notes[kind] ?? [kind, ...details].join(' '), details),
+    failure: (failure) =>
+      fill(books[language].failures[failure.kind] ?? template(failure), failure.details),
   };
 }

@@ -1,0 +1,15 @@
+/** Compare and Pair in Japanese. */
+import type { Book, Message, SetMessageKey } from './catalogue';
+import { japaneseCompare } from './ja-compare';
+import { japaneseDistance } from './ja-distance';
+import { japaneseMatrix } from './ja-matrix';
+import { japanesePair } from './ja-pair';
+
+const messages: Readonly<Record<SetMessageKey, Message>> = {
+  ...japaneseCompare,
+  ...japaneseDistance,
+  ...japaneseMatrix,
+  ...japanesePair,
+};
+
+export const book = { messages, notes: {}, failures: {} } satisfies Book;
