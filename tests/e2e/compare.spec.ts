@@ -54,6 +54,38 @@ test('matrix, tree and map show the set; the selection is one', async ({ app, pa
   expect(marks).toHaveLength(1);
 });
 
+test('the top bar says how many are compared, on Compare alone', async ({ app, page }) => {
+  await openCompare(app, page);
+  const counts = page.locator('.top-counts');
+  await expect(counts).toHaveText(/^\s*6 clips\s+15 pairs\s*$/);
+  await page.getByRole('button', { name: 'Study', exact: true }).click();
+  await expect(counts).toBeHidden();
+});
+
+test('the focus ring of the pages stands whole inside the top bar', async ({ app, page }) => {
+  await openCompare(app, page);
+  for (const name of ['Study', 'Compare', 'Pair']) {
+    const tab = page.locator('.page-tab', { hasText: name });
+    await page.keyboard.press('Tab');
+    await tab.focus();
+    const room = await tab.evaluate((element) => {
+      const { outlineOffset, outlineWidth, outlineStyle } = getComputedStyle(element);
+      const ring = parseFloat(outlineOffset) + parseFloat(outlineWidth);
+      const [own, bar] = [element, element.closest('.top-bar')!].map((one) =>
+        one.getBoundingClientRect(),
+      );
+      return {
+        outlineStyle,
+        above: own.top - bar.top - ring,
+        below: bar.bottom - own.bottom - ring,
+      };
+    });
+    expect(room.outlineStyle, name).toBe('solid');
+    expect(room.above, name).toBeGreaterThanOrEqual(0);
+    expect(room.below, name).toBeGreaterThanOrEqual(0);
+  }
+});
+
 test('a cell shows its pair in a tip, selects it by a click and opens it by two', async ({
   app,
   page,

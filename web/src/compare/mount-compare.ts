@@ -15,6 +15,7 @@ import { matrixHead } from './matrix-head';
 import { MatrixPane } from './matrix-pane';
 import { createShared, type Shared } from './shared';
 import { mountSideTabs } from './side-tabs';
+import { mountTopCounts } from './top-counts';
 
 const skeleton = html`<div class="compare-page">
   <div id="compare-bar" class="compare-bar"></div>
@@ -45,6 +46,8 @@ export function mountCompare(place: HTMLElement, context: Context): void {
   mountCompareBar(part(place, '#compare-bar'), context);
   mountEvaluation(part(place, '#compare-evaluation'), context);
   mountSideTabs(part(place, '#compare-side'), context);
+  const middle = document.querySelector<HTMLElement>('#top-middle');
+  if (middle) mountTopCounts(middle, context);
   const apart = computed(() => clipsApart(context.store.present.value));
   mount(part(place, '.matrix-head'), () => head(shared, pane, apart.value));
   mount(part(place, '.map-legend'), () => mapLegend(shared));

@@ -6,6 +6,7 @@ export const englishMatrix = {
   'compare.too-few': 'Two clips with a human body can be compared: drop another.',
   'compare.waiting': 'As soon as two clips are read they are compared here.',
   'compare.progress': 'Comparing, {0} %',
+  'compare.pairs': { one: '{0} pair', other: '{0} pairs' },
   'compare.apart': { one: '{0} clip stands apart', other: '{0} clips stand apart' },
   'compare.apart.about': 'They cannot be compared:',
   'compare.apart.pose': 'one frame only',

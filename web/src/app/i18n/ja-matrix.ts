@@ -7,6 +7,7 @@ export const japaneseMatrix: Readonly<Record<keyof typeof englishMatrix, Message
   'compare.too-few': '人体の動きが二つあれば比較できます。もう一つドロップしてください。',
   'compare.waiting': '二つ読み込まれしだい、ここで比較します。',
   'compare.progress': '比較中 {0} %',
+  'compare.pairs': '{0} 組',
   'compare.apart': '対象外 {0} 件',
   'compare.apart.about': '比較できないクリップ：',
   'compare.apart.pose': 'フレームが一つだけ',
