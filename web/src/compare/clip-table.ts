@@ -12,7 +12,8 @@ import { labelMark } from '../common/label-mark';
 import type { ClipId } from '../engine/types';
 import { lengthText, reasonOf } from '../library/row';
 import { rowWindow } from '../library/row-window';
-import { distanceDigits, plainName } from './clip-words';
+import { plainName } from './clip-words';
+import { distanceNumber } from './distance-number';
 import {
   columns,
   type ClipFacts,
@@ -195,7 +196,7 @@ function figureText({ words }: ClipTableProps, facts: ClipFacts, column: Column)
   if (typeof value === 'string') return plainName(value);
   if (column === 'length') return lengthText(words, value);
   if (column === 'rate') return t('unit.hertz', format.short(value, 2));
-  return column === 'distance' ? format.decimal(value, distanceDigits) : format.integer(value);
+  return column === 'distance' ? distanceNumber(format, value) : format.integer(value);
 }
 
 const figureColumns = columns.filter((column) => column !== 'name' && column !== 'label');

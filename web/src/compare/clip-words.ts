@@ -10,9 +10,6 @@ export const plainName = (name: string): string => name.replace(/\.bvh$/i, '');
 export const shortName = (clip: Clip | null | undefined): string =>
   plainName(clip?.source.name ?? '');
 
-/** Distances, in squared body heights, stand with so many digits. */
-export const distanceDigits = 4;
-
 /** A label and its place among all. */
 export interface LabelOf {
   readonly name: string;

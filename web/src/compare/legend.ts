@@ -26,15 +26,16 @@ function drawScale(svg: Element, stops: readonly string[]): void {
   }
 }
 
-/** Three figures tell small and large sets apart. */
-export const legendDigits = (maximum: number): number =>
-  maximum > 0 ? Math.max(0, Math.min(8, 2 - Math.floor(Math.log10(maximum)))) : 0;
+/** Digits after the point: three figures where three digits hold them, two of smaller distances. */
+export function legendDigits(maximum: number): number {
+  const digits = maximum > 0 ? 2 - Math.floor(Math.log10(maximum)) : 0;
+  return Math.max(1, Math.min(digits, Math.max(3, digits - 1), 8));
+}
 
 export function legend({ words, comparison, stops, distance }: LegendProps): TemplateResult {
   const { t, format } = words;
   const { legendMaximum: end, maximum } = comparison;
-  const number = (value: number): string =>
-    format.decimal(value, Math.min(3, legendDigits(end)) || 1);
+  const number = (value: number): string => format.decimal(value, legendDigits(end));
   const part = distance === null || !(end > 0) ? null : Math.min(1, distance / end);
   const range = maximum > end ? 'legend.range.clipped' : 'legend.range';
   return html`<div

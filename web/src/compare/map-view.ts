@@ -6,13 +6,14 @@ import { drawn, styled } from '../common/directives';
 import { element } from '../common/element';
 import { follow } from '../common/mount';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
+import { distanceNumber } from './distance-number';
 import { clusterAnchors, discRadius, drawHulls, drawMarks } from './map-canvas';
 import { MapDiscs } from './map-discs';
 import { MapGlide } from './map-glide';
 import { MapInput } from './map-input';
 import { fitMap, onScreen, placeFigures, type Box, type MapTransform } from './map-layout';
 import type { Point } from './hull';
-import { PairTip, distanceDigits } from './pair-tip';
+import { PairTip } from './pair-tip';
 import type { Scene } from './scene';
 import type { Shared } from './shared';
 
@@ -192,7 +193,7 @@ export class MapView {
     this.pill.hidden = !box || !fits;
     if (!box || !known) return;
     const { format } = this.shared.context.language.words.value;
-    this.pill.textContent = format.decimal(known.distance, distanceDigits);
+    this.pill.textContent = distanceNumber(format, known.distance);
     this.pill.style.left = `${(box.left + box.right) / 2}px`;
     this.pill.style.top = `${(box.top + box.bottom) / 2}px`;
   }

@@ -127,7 +127,7 @@ function scaleTags({ scene, palette, words }: PictureParts, scale: ColourScale, 
     tag('rect', { x: x + k, y, width: 1.2, height: 8, fill: scale.css((end * k) / width) }),
   );
   const look = { y: y + 8, 'font-size': 12, fill: palette.text2 };
-  const number = format.decimal(end, Math.min(3, legendDigits(end)) || 1);
+  const number = format.decimal(end, legendDigits(end));
   const range = scene.comparison.maximum > end ? 'legend.range.clipped' : 'legend.range';
   return (
     textTag(t('legend.alike'), { x: x - 8, 'text-anchor': 'end', ...look }) +

@@ -10,7 +10,8 @@ import type { Neighbour } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 import { rowWindow, scrollToRow } from '../library/row-window';
-import { distanceDigits, mirrorSign, shortName, type LabelOf } from './clip-words';
+import { mirrorSign, shortName, type LabelOf } from './clip-words';
+import { distanceNumber } from './distance-number';
 
 export const neighbourHeightPx = 44;
 const thumbnailPx = 36;
@@ -74,7 +75,7 @@ function row(
         ></span
       >
       <span class="neighbour-distance"
-        >${words.format.decimal(one.distance, distanceDigits)}${one.mirrored ? mirrorSign(words) : nothing}</span
+        >${distanceNumber(words.format, one.distance)}${one.mirrored ? mirrorSign(words) : nothing}</span
       >
     </button>
   </li>`;

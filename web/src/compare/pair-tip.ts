@@ -6,6 +6,7 @@ import { drawn } from '../common/directives';
 import { element } from '../common/element';
 import type { Explanation } from '../engine/comparison-types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
+import { distanceNumber } from './distance-number';
 import type { Box } from './map-layout';
 import type { Scene } from './scene';
 import type { Shared } from './shared';
@@ -20,8 +21,6 @@ export interface TipPlace {
   /** What the tip belongs to, in pixels of its parent. */
   readonly box: Box;
 }
-
-export const distanceDigits = 4;
 
 export class PairTip {
   readonly element = element('div', 'pair-tip');
@@ -98,7 +97,7 @@ function labelLine(scene: Scene, item: number, { t }: Words): TemplateResult {
 
 function factsOf(words: Words, { comparison }: Scene, known: Explanation | null): TemplateResult {
   const { t, format } = words;
-  const distance = known ? format.decimal(known.distance, distanceDigits) : ' ';
+  const distance = known ? distanceNumber(format, known.distance) : ' ';
   const rank = known ? t('matrix.rank', format.ordinal(known.rank), comparison.pairs) : ' ';
   return html`<strong class="tip-distance">${distance}</strong>
     <span class="tip-rank">${rank}${known?.mirrored ? ` · ${t('matrix.mirrored')}` : nothing}</span>
@@ -116,7 +115,7 @@ export function spokenPair(
   const [nameA, nameB] = [scene.names[a], scene.names[b]];
   if (a === b) return t('matrix.itself', nameA);
   if (!known) return t('matrix.pair.unranked', nameA, nameB, '…');
-  const distance = format.decimal(known.distance, distanceDigits);
+  const distance = distanceNumber(format, known.distance);
   const { pairs } = scene.comparison;
   return t('matrix.pair', nameA, nameB, distance, format.ordinal(known.rank), pairs);
 }

@@ -8,8 +8,9 @@ import type { Explanation, Neighbour } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 import type { FlatFigure } from '../figure/flat-figure';
-import { distanceDigits, mirrorSign, namedMark, shortName, type LabelOf } from './clip-words';
+import { mirrorSign, namedMark, shortName, type LabelOf } from './clip-words';
 import { componentBars } from './component-bars';
+import { distanceNumber } from './distance-number';
 import { paintedBody } from './painted-body';
 import { figureBoxHeight, figureBoxWidth, stripGround, stripScale } from './strip-figures';
 import { whySentence } from './why-sentence';
@@ -104,7 +105,7 @@ function card(props: WhyPanelProps, { clip: id, distance, mirrored }: Neighbour)
       <svg viewBox="0 0 ${cardWidth} ${cardHeight}" aria-hidden="true" ${drawn(figure, draw)}></svg>
       <span class="near-name">${namedMark(labelOf(id))}<span>${shortName(clip)}</span></span>
       <span class="near-distance"
-        >${words.format.decimal(distance, distanceDigits)}${mirrored ? mirrorSign(words) : nothing}</span
+        >${distanceNumber(words.format, distance)}${mirrored ? mirrorSign(words) : nothing}</span
       >
     </button>
   </li>`;

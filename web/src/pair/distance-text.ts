@@ -1,9 +1,7 @@
 /** The comparison and the pair in; the number between A and B, and its place, in words out. */
 import type { Context } from '../app/context';
+import { distanceNumber } from '../compare/distance-number';
 import type { Explanation } from '../engine/comparison-types';
-
-/** Digits of a distance after the point. */
-const DIGITS = 4;
 
 /** What is known of A and B; null while it is of another pair or not yet known. */
 export function explanationOf({ store }: Context): Explanation | null {
@@ -25,7 +23,7 @@ export function distanceText({ store, language }: Context, found: Explanation): 
   const { rankFromA: rank } = found;
   const count = words.format.integer(others);
   return {
-    number: words.format.decimal(found.distance, DIGITS),
+    number: distanceNumber(words.format, found.distance),
     rank:
       others === 1
         ? ''

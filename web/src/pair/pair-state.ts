@@ -6,6 +6,7 @@ import type { ClipId } from '../engine/types';
 import { nearestIndex } from '../player/neighbours';
 import { Ticker } from '../player/ticker';
 import { alignedAt, alignedByPaths, alignedByStart, type Alignment } from './alignment';
+import { startOfA } from './opening';
 import { PairClock, type PairMoment } from './pair-clock';
 import { followPairClips, type PairClip } from './pair-clips';
 import { followWarpings } from './warpings';
@@ -126,15 +127,18 @@ function runClock(
   let before: readonly PairClip[] = [];
   effect(() => {
     const now = clips.value;
-    // A clip that comes to be A goes on where it was.
-    const place = before.findIndex(({ id }) => id === now[0]?.id);
-    const studied = store.playback.peek().frame * (now[0]?.frameTimeS ?? 0);
     const [a] = before;
     if (now.length === 0) {
       clock.pause();
       if (a && a.id === store.openId.peek()) playback.seek(clock.frameOf(0));
     } else playback.pause();
-    clock.load(now, alignment.value, place < 0 ? studied : clock.timeOf(place));
+    const was = {
+      clips: before,
+      frameOf: (place: number) => clock.frameOf(place),
+      timeOf: (place: number) => clock.timeOf(place),
+    };
+    const start = now[0] && startOfA(now[0], was, store.playback.peek().frame);
+    clock.load(now, alignment.value, start);
     before = now;
   });
   return { clock, moment };
