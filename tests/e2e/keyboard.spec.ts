@@ -1,26 +1,6 @@
 /** The whole page without a pointer: every control is reached by Tab, and its ring is seen. */
-import type { Locator, Page } from '@playwright/test';
+import { reach } from './support/by-keys';
 import { expect, test } from './support/test';
-
-/** Presses Tab until the control has the focus, which must then be seen. */
-async function reach(page: Page, control: Locator, key = 'Tab'): Promise<void> {
-  await control.waitFor();
-  for (let n = 0; n < 200; n++) {
-    const focused = await control.evaluate((element) => element === document.activeElement);
-    if (focused) return expect.poll(() => hasRing(control)).toBe(true);
-    await page.keyboard.press(key);
-  }
-  throw new Error(`${String(control)} is not reached by ${key}`);
-}
-
-/** An outline on the control, on what holds it, as for fields, or within it, as for the flag of the playhead. */
-const hasRing = (control: Locator): Promise<boolean> =>
-  control.evaluate((element) =>
-    [element, ...element.querySelectorAll('*'), element.parentElement!].some((one) => {
-      const { outlineStyle, outlineWidth } = getComputedStyle(one);
-      return outlineStyle !== 'none' && parseFloat(outlineWidth) >= 2;
-    }),
-  );
 
 test('open, play, step, loop, zoom, set a parameter, export, sort, help, all by keys', async ({
   app,

@@ -10,8 +10,8 @@ export interface CutState {
   readonly scene: Scene;
   readonly geometry: MatrixGeometry;
   readonly words: Words;
-  /** The person set it. */
-  readonly byHand: boolean;
+  /** What the person set it to, which the scene follows a moment later; null: automatic. */
+  readonly wanted: number | null;
 }
 
 const pageStep = 5;
@@ -24,9 +24,12 @@ export class CutSlider {
   private state: CutState | null = null;
   /** Pixels of the pointer's place while it drags. */
   private dragX: number | null = null;
+  /** As in the state, but at once: keys come faster than drawings. */
+  private wanted: number | null = null;
 
-  constructor(private readonly setCut: (clusters: number | null) => void) {
+  constructor(private readonly tellCut: (clusters: number | null) => void) {
     const { handle } = this;
+    this.element.setAttribute('role', 'group');
     handle.tabIndex = 0;
     handle.setAttribute('role', 'slider');
     handle.setAttribute('aria-valuemin', '1');
@@ -45,12 +48,15 @@ export class CutSlider {
 
   update(state: CutState | null): void {
     this.state = state;
+    this.wanted = state?.wanted ?? null;
     const cut = state?.scene.cut ?? null;
     const hidden = !state || !cut || state.geometry.treeWidth === 0;
     this.element.hidden = hidden;
     if (hidden || !state || !cut) return;
-    const { words, scene, byHand } = state;
+    const { words, scene, wanted } = state;
+    const byHand = wanted !== null;
     const text = words.t('tree.clusters', cut.clusters);
+    this.element.setAttribute('aria-label', words.t('tree.label'));
     this.handle.setAttribute('aria-label', words.t('tree.cut'));
     this.handle.setAttribute('aria-valuemax', String(scene.count));
     this.handle.setAttribute('aria-valuenow', String(cut.clusters));
@@ -59,6 +65,16 @@ export class CutSlider {
     render(html`<span class="tree-cut-grip"></span>${text}`, this.handle);
     render(byHand ? this.resetButton(state) : nothing, this.reset);
     this.place();
+  }
+
+  private setCut(clusters: number | null): void {
+    this.wanted = clusters;
+    this.tellCut(clusters);
+  }
+
+  /** Where the cut is, or is about to be. */
+  private clusters({ cut, count }: Scene): number | undefined {
+    return this.wanted === null ? cut?.clusters : Math.min(count, this.wanted);
   }
 
   private resetButton({ words: { t }, scene }: CutState) {
@@ -96,12 +112,12 @@ export class CutSlider {
     this.dragX = Math.max(state.geometry.treeLeft, Math.min(namesLeft - 6, event.clientX - left));
     this.place();
     const clusters = clustersAt(state.scene.comparison.tree.heights, heights.height(this.dragX));
-    if (clusters !== state.scene.cut?.clusters) this.setCut(clusters);
+    if (clusters !== this.clusters(state.scene)) this.setCut(clusters);
   };
 
   private readonly onKey = (event: KeyboardEvent): void => {
     const { scene } = this.state ?? {};
-    const clusters = scene?.cut?.clusters;
+    const clusters = scene && this.clusters(scene);
     if (!scene || clusters === undefined) return;
     const goals: Readonly<Record<string, number>> = {
       ArrowRight: clusters + 1,

@@ -104,9 +104,9 @@ export class MatrixPane {
     });
     follow(() => {
       const now = state();
-      const byHand = context.store.compare.cutClusters.value !== null;
+      const wanted = context.store.compare.cutClusters.value;
       const words = context.language.words.value;
-      this.cut.update(now && { ...now, words, byHand });
+      this.cut.update(now && { ...now, words, wanted });
     });
     follow(() => {
       const now = state();
