@@ -64,6 +64,31 @@ test('a pattern of file names shows what it does, says what is wrong, and gives 
   await expect(confusion.getByRole('rowheader')).toHaveText([/run/, /walk/, /dance/]);
 });
 
+test('of many labels a part is drawn, and all are reached', async ({ app, page }) => {
+  const walk = sampleBytes('walk-hik-30');
+  const folder = temporaryFolder();
+  const many = Array.from({ length: 40 }, (_, n) => [`m${n}_walk.bvh`, walk] as const);
+  writeFiles(folder, Object.fromEntries(many));
+  await app.openWith(folder);
+  await page.locator('.page-tab', { hasText: 'Compare' }).click();
+  await expect(page.locator('.compare.compared')).toBeVisible();
+  await labelByName(page, '{label}_*');
+  const confusion = page.getByRole('table', { name: 'Label, and label of its nearest' });
+  await expect(confusion).toHaveAttribute('aria-rowcount', '41');
+  await expect(confusion.getByRole('rowheader').first()).toHaveText(/m0/);
+  expect(await confusion.getByRole('rowheader').count()).toBeLessThan(15);
+  expect(await confusion.getByRole('cell').count()).toBeLessThan(400);
+  await page.locator('.confusion-scroll').evaluate((scroll) => {
+    scroll.scrollTo(scroll.scrollWidth, scroll.scrollHeight);
+  });
+  await expect(confusion.getByRole('rowheader').last()).toHaveText(/m39/);
+  await expect(confusion.getByRole('columnheader').last()).toHaveText(/m39/);
+  await expect(confusion.getByRole('columnheader').last()).toBeInViewport({ ratio: 1 });
+  await expect(confusion.getByRole('rowheader').last()).toBeInViewport({ ratio: 1 });
+  const legend = page.getByRole('list', { name: 'Labels' });
+  await expect(legend.getByRole('listitem').last()).toHaveText('… and 28 more');
+});
+
 test('an error is reached by a press: it becomes the pair', async ({ app, page }) => {
   await openCompare(app, page);
   await labelByName(page, '{label}_*');
@@ -74,6 +99,11 @@ test('an error is reached by a press: it becomes the pair', async ({ app, page }
   await expect(page.locator('.pair-name').first()).toContainText('dance_anna');
   await expect(page.locator('.distance-sentence')).toContainText(/differ|further|same/);
   await expect(page.getByRole('button', { name: 'Open pair' })).toBeEnabled();
+  // Everything of the why stands between the margins of its panel.
+  const [panel, body] = await Promise.all(
+    ['#compare-side', '.why-body .painted-body'].map((part) => page.locator(part).boundingBox()),
+  );
+  expect(body!.x + body!.width).toBeLessThanOrEqual(panel!.x + panel!.width - 16);
 });
 
 test('labels go into the library: its rows and its filter', async ({ app, page }) => {

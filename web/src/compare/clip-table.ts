@@ -25,6 +25,8 @@ import {
 
 export const tableRowHeightPx = 28;
 export const labelListId = 'label-names';
+/** Labels offered while one is written. */
+const mostOffered = 200;
 
 export interface ClipTableProps {
   readonly words: Words;
@@ -292,7 +294,7 @@ export function clipTable(props: ClipTableProps): TemplateResult {
   const onScroll = (event: Event): void => props.onScroll((event.target as HTMLElement).scrollTop);
   return html`${tools(props)}${labelling(props)}
     <datalist id=${labelListId}>
-      ${labelNames.map((name) => html`<option value=${name}></option>`)}
+      ${labelNames.slice(0, mostOffered).map((name) => html`<option value=${name}></option>`)}
     </datalist>
     <div class="table-scroll" @scroll=${onScroll} @keydown=${props.onKey}>
       <table

@@ -1,23 +1,23 @@
 import { expect, test } from 'vitest';
-import { confusionCell } from './confusion-table';
+import { ConfusionCounts } from './confusion-table';
 
-const labels = ['dance', 'walk', 'slow'];
-const confusion = Int32Array.from([4, 0, 0, 2, 1, 1, 0, 1, 0]);
+const counts = new ConfusionCounts({
+  labels: ['dance', 'walk', 'slow'],
+  confusion: [
+    [0, 0, 4],
+    [1, 0, 2],
+    [1, 1, 1],
+    [1, 2, 1],
+    [2, 1, 1],
+  ],
+});
 
 test('a cell is painted by its part of its row', () => {
-  expect(confusionCell({ confusion, labels }, 0, 0)).toEqual({
-    count: 4,
-    kind: 'strong',
-    paint: 90,
-  });
-  expect(confusionCell({ confusion, labels }, 1, 1)).toEqual({
-    count: 1,
-    kind: 'right',
-    paint: 38,
-  });
+  expect(counts.cell(0, 0)).toEqual({ count: 4, kind: 'strong', paint: 90 });
+  expect(counts.cell(1, 1)).toEqual({ count: 1, kind: 'right', paint: 38 });
 });
 
 test('what is off the diagonal is wrong; nothing is nothing', () => {
-  expect(confusionCell({ confusion, labels }, 1, 0).kind).toBe('wrong');
-  expect(confusionCell({ confusion, labels }, 0, 1)).toEqual({ count: 0, kind: 'none', paint: 0 });
+  expect(counts.cell(1, 0).kind).toBe('wrong');
+  expect(counts.cell(0, 1)).toEqual({ count: 0, kind: 'none', paint: 0 });
 });

@@ -3,6 +3,7 @@
  * clusters, the confusion of labels, and every error, which a press selects as the pair.
  */
 import '../styles/evaluation.css';
+import { computed, signal, type ReadonlySignal, type Signal } from '@preact/signals-core';
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Clip } from '../app/clips';
 import type { Context } from '../app/context';
@@ -14,12 +15,15 @@ import { mount } from '../common/mount';
 import type { Evaluation } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { shortName } from './clip-words';
-import { confusionTable } from './confusion-table';
+import { ConfusionCounts, confusionTable } from './confusion-table';
+import type { Room } from './confusion-window';
 import { openLabelDialog } from './label-dialog';
 
 interface EvaluationProps {
   readonly words: Words;
   readonly evaluation: Evaluation;
+  readonly counts: ConfusionCounts;
+  readonly room: Signal<Room>;
   /** Clips that are compared. */
   readonly compared: number;
   readonly clusters: number;
@@ -106,7 +110,7 @@ function errorList(props: EvaluationProps): TemplateResult {
 }
 
 function confusion(props: EvaluationProps): TemplateResult {
-  const { words, evaluation, labels, placeOf, onPair } = props;
+  const { words, evaluation, counts, room, labels, placeOf, onPair } = props;
   const labelAt = (id: ClipId): string | null => labels.get(id) ?? null;
   // The first of the errors that are counted there.
   const onCell = (own: number, found: number): void => {
@@ -118,7 +122,15 @@ function confusion(props: EvaluationProps): TemplateResult {
   };
   return html`<section class="evaluation-confusion">
     <h3>${words.t('evaluation.confusion')}</h3>
-    ${confusionTable({ words, evaluation, placeOf, onCell })}
+    ${confusionTable({
+      words,
+      evaluation,
+      counts,
+      room: room.value,
+      placeOf,
+      onCell,
+      onScroll: (left, top) => (room.value = { ...room.peek(), left, top }),
+    })}
   </section>`;
 }
 
@@ -135,34 +147,67 @@ function empty({ t }: Words, labelled: boolean): TemplateResult {
   </div>`;
 }
 
-function panel(context: Context): TemplateResult {
+/** What is made once of every evaluation and labelling. */
+interface Prepared {
+  readonly counts: ReadonlySignal<ConfusionCounts | null>;
+  readonly places: ReadonlySignal<ReadonlyMap<string, number>>;
+  readonly room: Signal<Room>;
+}
+
+function panel(context: Context, { counts, places, room }: Prepared): TemplateResult {
   const { store, language, compareActions } = context;
   const { evaluation, comparison, cut, otherId } = store.compare;
   const words = language.words.value;
-  const names = store.labelNames.value;
+  const placeOf = places.value;
   const found = evaluation.value;
-  if (names.length === 0 || !found || found.labelled === 0)
-    return empty(words, names.length > 0 && !found);
+  if (placeOf.size === 0 || !found || !counts.value || found.labelled === 0)
+    return empty(words, placeOf.size > 0 && !found);
+  const shown = { evaluation: found, counts: counts.value, room };
   return html`${[scores, confusion, errorList].map((block) =>
     block({
+      ...shown,
       words,
-      evaluation: found,
       compared: comparison.value?.clips.length ?? found.labelled,
       clusters: cut.value?.clusters ?? 0,
       clips: store.clips.value,
       labels: store.labels.value,
-      placeOf: (label) => names.indexOf(label),
+      placeOf: (label) => placeOf.get(label) ?? -1,
       selected: { a: store.openId.value, b: otherId.value },
       onPair: (a, b) => compareActions.selectPair(a, b),
     }),
   )}`;
 }
 
+/** Scores and errors stand beside it, its title over it. */
+const besidePx = 430;
+const leastRoom = { width: 260, height: 120 } as const;
+const mostRoomPx = 560;
+const titlePx = 50;
+
+function confusionRoom(place: HTMLElement): Pick<Room, 'width' | 'height'> {
+  const { clientWidth, clientHeight } = place;
+  return {
+    width: Math.max(leastRoom.width, Math.min(mostRoomPx, clientWidth - besidePx)),
+    height: Math.max(leastRoom.height, clientHeight - titlePx),
+  };
+}
+
 export function mountEvaluation(place: HTMLElement, context: Context): void {
   place.classList.add('evaluation');
   place.setAttribute('role', 'region');
+  const { store } = context;
+  const { evaluation } = store.compare;
+  const room = signal<Room>({ left: 0, top: 0, width: 0, height: 0 });
+  const prepared: Prepared = {
+    counts: computed(() => evaluation.value && new ConfusionCounts(evaluation.value)),
+    places: computed(() => new Map(store.labelNames.value.map((name, index) => [name, index]))),
+    room,
+  };
+  new ResizeObserver(() => (room.value = { ...room.peek(), ...confusionRoom(place) })).observe(
+    place,
+  );
   mount(place, () => {
     place.setAttribute('aria-label', context.language.words.value.t('evaluation.title'));
-    return panel(context);
+    return panel(context, prepared);
   });
 }

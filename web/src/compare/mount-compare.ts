@@ -114,14 +114,19 @@ function distanceOf({ context, facts }: Shared): number | null {
   return known && fits ? known.distance : null;
 }
 
+/** Labels beside the map: after these, colour and shape repeat. */
+const mostExplained = 12;
+
 function mapLegend({ context, scene }: Shared): TemplateResult {
   const shown = scene.value;
   const { t } = context.language.words.value;
-  const used = computed(() => new Set(shown?.labelOfItem));
-  const entry = (name: string, index: number): unknown =>
-    used.value.has(index) ? html`<li>${labelMark(index)}<span>${name}</span></li>` : nothing;
+  const used = [...new Set(shown?.labelOfItem)].filter((index) => index >= 0).sort((a, b) => a - b);
+  const rest = used.length - mostExplained;
+  const entry = (index: number): TemplateResult =>
+    html`<li>${labelMark(index)}<span>${shown?.labels[index]}</span></li>`;
   return html`<ul aria-label=${t('map.legend')}>
-    ${shown?.labels.map(entry)}
+    ${used.slice(0, mostExplained).map(entry)}
+    ${rest > 0 ? html`<li>${t('compare.apart.more', rest)}</li>` : nothing}
   </ul>`;
 }
 

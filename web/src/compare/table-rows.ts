@@ -133,9 +133,14 @@ function groupsOf(
   facts: readonly ClipFacts[],
   labelNames: readonly string[],
 ): (readonly [Omit<GroupRow, 'kind' | 'count'>, readonly ClipFacts[]])[] {
-  const compared = facts.filter(({ apart }) => !apart);
+  const members = new Map<string | null, ClipFacts[]>();
+  for (const fact of facts.filter(({ apart }) => !apart)) {
+    const group = members.get(fact.label);
+    if (group) group.push(fact);
+    else members.set(fact.label, [fact]);
+  }
   const byLabel = [...labelNames, null].map(
-    (label) => [{ label, apart: false }, compared.filter((fact) => fact.label === label)] as const,
+    (label) => [{ label, apart: false }, members.get(label) ?? []] as const,
   );
   return [...byLabel, [{ label: null, apart: true }, facts.filter(({ apart }) => apart)]];
 }

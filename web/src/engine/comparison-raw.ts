@@ -153,11 +153,8 @@ class WasmSet implements CoreSet {
   evaluate({ clusters, labels }: LabelledCut): Evaluation {
     const { names, numbers } = numbered(labels);
     const text = refusing(() => this.handle.evaluate(numbers, clusters));
-    const { confusion, single, ...rest } = JSON.parse(text) as EvaluationText;
-    const table = new Int32Array(names.length ** 2);
-    for (const [own, nearest, count] of confusion) table[own * names.length + nearest] = count;
-    const singleNames = single.map((label) => names[label] ?? '');
-    return { ...rest, labels: names, confusion: table, single: singleNames };
+    const { single, ...rest } = JSON.parse(text) as EvaluationText;
+    return { ...rest, labels: names, single: single.map((label) => names[label] ?? '') };
   }
 
   exportFile(kind: ComparisonExportKind, { clusters, labels }: LabelledCut): Blob {
@@ -202,9 +199,7 @@ interface ExplanationText extends Omit<Explanation, 'a' | 'b' | 'shares' | 'part
   readonly partShares: readonly number[];
 }
 
-interface EvaluationText extends Omit<Evaluation, 'labels' | 'confusion' | 'single'> {
-  /** Own label, label of the nearest, how many. */
-  readonly confusion: readonly (readonly [number, number, number])[];
+interface EvaluationText extends Omit<Evaluation, 'labels' | 'single'> {
   readonly single: readonly number[];
 }
 

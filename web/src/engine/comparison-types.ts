@@ -144,6 +144,8 @@ export type DistanceSentence =
       readonly parts: readonly BodyPart[];
     };
 
+export type ConfusionField = readonly [own: number, nearest: number, count: number];
+
 /** How well the distance tells the labels apart; unlabelled items are left out. */
 export interface Evaluation {
   /** Labels in order of their first item. */
@@ -152,8 +154,8 @@ export interface Evaluation {
   readonly correct: number;
   readonly accuracy: number;
   readonly bestReachable: number;
-  /** labels × labels: own label, label of the nearest. */
-  readonly confusion: Int32Array;
+  /** Fields of labels × labels that are not 0: own label, label of the nearest, how many. */
+  readonly confusion: readonly ConfusionField[];
   readonly errors: readonly { readonly clip: ClipId; readonly nearest: ClipId }[];
   /** Labels with one clip: it can never be right. */
   readonly single: readonly string[];

@@ -1,11 +1,12 @@
 import { readFileSync } from 'node:fs';
 import { expect, test } from 'vitest';
 import { ENGINE_FAILURES } from '../../engine/failures';
-import { fill, wordsFor, type Message } from './catalogue';
+import { fill, wordsFor } from './catalogue';
 import { en as studyWords } from './en';
 import { englishFailures, englishNotes } from './en-notes';
 import { ja as studyWordsJa } from './ja';
 import { japaneseFailures, japaneseNotes } from './ja-notes';
+import type { Message } from './message';
 import { book as setWords } from './set-book-en';
 import { book as setWordsJa } from './set-book-ja';
 

@@ -10,6 +10,7 @@ import type { englishCompare } from './en-compare';
 import type { englishDistance } from './en-distance';
 import type { englishMatrix } from './en-matrix';
 import type { englishPair } from './en-pair';
+import type { Message } from './message';
 
 /** Sentences that come with Compare and Pair. */
 export type SetMessageKey =
@@ -20,7 +21,6 @@ export type SetMessageKey =
 
 export type MessageKey = keyof typeof en | SetMessageKey;
 export type Language = 'en' | 'ja';
-export type Message = string | { readonly one: string; readonly other: string };
 export type Argument = string | number;
 
 export interface Words {

@@ -1,5 +1,5 @@
 /** The sentences beside matrix and map in English: labels, evaluation, why, neighbours, table. */
-import type { Message } from './catalogue';
+import type { Message } from './message';
 
 export const englishCompare = {
   'bar.name': 'What is compared, and how',

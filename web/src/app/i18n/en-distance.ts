@@ -1,5 +1,5 @@
 /** The sentences that say why two clips differ, in English: {0} … are names, symbols and figures. */
-import type { Message } from './catalogue';
+import type { Message } from './message';
 
 export const englishDistance = {
   'distance.title': 'Distance',

@@ -1,5 +1,5 @@
 /** The sentences of the matrix, the tree and the map in English. */
-import type { Message } from './catalogue';
+import type { Message } from './message';
 
 export const englishMatrix = {
   'compare.page': 'Compare',

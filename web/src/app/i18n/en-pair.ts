@@ -1,5 +1,5 @@
 /** The sentences of the pair page in English. */
-import type { Message } from './catalogue';
+import type { Message } from './message';
 
 export const englishPair = {
   'pair.page': 'Pair',

@@ -1,5 +1,5 @@
 /** The sentences that say why two clips differ, in Japanese; the keys are those of `en-distance.ts`. */
-import type { Message } from './catalogue';
+import type { Message } from './message';
 import type { englishDistance } from './en-distance';
 
 export const japaneseDistance: Readonly<Record<keyof typeof englishDistance, Message>> = {

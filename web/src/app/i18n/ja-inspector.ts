@@ -1,5 +1,5 @@
 /** The sentences of the side panel in Japanese; the keys are those of `en-inspector.ts`. */
-import type { Message } from './catalogue';
+import type { Message } from './message';
 import type { englishInspector } from './en-inspector';
 
 export const japaneseInspector: Readonly<Record<keyof typeof englishInspector, Message>> = {

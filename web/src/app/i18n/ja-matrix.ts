@@ -1,5 +1,5 @@
 /** The sentences of the matrix, the tree and the map in Japanese; the keys are those of `en-matrix.ts`. */
-import type { Message } from './catalogue';
+import type { Message } from './message';
 import type { englishMatrix } from './en-matrix';
 
 export const japaneseMatrix: Readonly<Record<keyof typeof englishMatrix, Message>> = {

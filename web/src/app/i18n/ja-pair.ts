@@ -1,6 +1,6 @@
 /** The sentences of the pair page in Japanese. */
 import type { englishPair } from './en-pair';
-import type { Message } from './catalogue';
+import type { Message } from './message';
 
 export const japanesePair: Readonly<Record<keyof typeof englishPair, Message>> = {
   'pair.page': '並べて見る',

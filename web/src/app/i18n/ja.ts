@@ -1,5 +1,5 @@
 /** Every sentence of the study and the page around it in Japanese; the keys are those of `en`. */
-import type { Message } from './catalogue';
+import type { Message } from './message';
 import type { en } from './en';
 import { japaneseInspector } from './ja-inspector';
 

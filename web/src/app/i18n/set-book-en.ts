@@ -1,9 +1,10 @@
 /** Compare and Pair in English. */
-import type { Book, Message, SetMessageKey } from './catalogue';
+import type { Book, SetMessageKey } from './catalogue';
 import { englishCompare } from './en-compare';
 import { englishDistance } from './en-distance';
 import { englishMatrix } from './en-matrix';
 import { englishPair } from './en-pair';
+import type { Message } from './message';
 
 const messages: Readonly<Record<SetMessageKey, Message>> = {
   ...englishCompare,

@@ -1,9 +1,10 @@
 /** Compare and Pair in Japanese. */
-import type { Book, Message, SetMessageKey } from './catalogue';
+import type { Book, SetMessageKey } from './catalogue';
 import { japaneseCompare } from './ja-compare';
 import { japaneseDistance } from './ja-distance';
 import { japaneseMatrix } from './ja-matrix';
 import { japanesePair } from './ja-pair';
+import type { Message } from './message';
 
 const messages: Readonly<Record<SetMessageKey, Message>> = {
   ...japaneseCompare,
