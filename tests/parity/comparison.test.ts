@@ -67,7 +67,7 @@ it('gives the files of the command line', async ({ skip }) => {
   });
   const labels = compared.map(({ name }) => labelOf(name));
   for (const { settings, options } of sets) {
-    set.begin(settings);
+    set.begin(settings, false);
     while (set.step() < 1);
     const clusters = set.comparison(settings).automaticClusters;
     const textOf = (kind: ComparisonExportKind) =>

@@ -1,4 +1,4 @@
-//! The clips of a set, in the order in which they came: numbers of JavaScript go in, features come out.
+//! The clips of a set, in the order of their numbers: numbers of JavaScript go in, features come out.
 
 use std::rc::Rc;
 

@@ -1,12 +1,11 @@
 //! One set of clips: features go in clip by clip, its comparison is made step by step, and arrays and
 //! short texts come out.
 
-use std::collections::HashMap;
 use std::rc::Rc;
 
 use comparison::comparison::{Comparison, Evaluation};
 use comparison::evaluation::{self, OneNearest};
-use comparison::map::{self, Place};
+use comparison::map::Place;
 use comparison::picture::{Picture, PictureRun, Region};
 use comparison::report::{Labels, Subject};
 use comparison::run::ComparisonRun;
@@ -14,6 +13,7 @@ use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::clips::{self, NamedClip};
+use crate::places::Places;
 use crate::settings::{self, JsSettings};
 use crate::{exports, failure, texts};
 
@@ -26,14 +26,21 @@ const CELLS_A_STEP: usize = 1 << 19;
 #[derive(Default)]
 pub struct ComparisonHandle {
     clips: Vec<NamedClip>,
-    run: Option<(ComparisonRun, Vec<NamedClip>)>,
+    run: Option<Run>,
     compared: Option<Compared>,
-    /// Where clips lay on the latest map.
-    places: HashMap<i32, Place>,
+    places: Places,
     picturing: Option<PictureRun>,
     picture: Picture,
     /// The labels last evaluated, and what came of it: a cut that is drawn along asks again and again.
     one_nearest: Option<(Vec<Option<usize>>, OneNearest)>,
+}
+
+/// A comparison that is being made.
+struct Run {
+    run: ComparisonRun,
+    clips: Vec<NamedClip>,
+    /// Whether clips stay where they lie.
+    keeps_places: bool,
 }
 
 /// A comparison and the clips that its items are.
@@ -73,9 +80,10 @@ impl ComparisonHandle {
             name,
             feature: Rc::new(feature.map_err(|message| failure::misuse(&message))?),
         };
-        match self.clips.iter_mut().find(|one| one.id == id) {
-            Some(place) => *place = clip,
-            None => self.clips.push(clip),
+        self.places.arrive(&clip);
+        match self.clips.binary_search_by_key(&id, |one| one.id) {
+            Ok(index) => self.clips[index] = clip,
+            Err(index) => self.clips.insert(index, clip),
         }
         Ok(())
     }
@@ -84,6 +92,13 @@ impl ComparisonHandle {
     #[wasm_bindgen(js_name = removeFeature)]
     pub fn remove_feature(&mut self, id: i32) {
         self.clips.retain(|clip| clip.id != id);
+        self.places.leave(id);
+    }
+
+    /// Tells where a clip lay on a map made by another handle: the next layout is turned onto it.
+    #[wasm_bindgen(js_name = recallPlace)]
+    pub fn recall_place(&mut self, id: i32, x: f64, y: f64) {
+        self.places.recall(id, [x, y]);
     }
 
     /// How many clips can be compared.
@@ -92,26 +107,30 @@ impl ComparisonHandle {
         self.clips.len() as u32
     }
 
-    /// Makes ready to compare the clips told so far. Throws the failure of settings that cannot be.
-    pub fn begin(&mut self, settings: &JsSettings) -> Result<(), JsError> {
+    /// Makes ready to compare the clips told so far. With `keeps_places` the map's clips stay where they
+    /// lie, unless they were laid out by another distance. Throws the failure of settings that cannot be.
+    pub fn begin(&mut self, settings: &JsSettings, keeps_places: bool) -> Result<(), JsError> {
         let settings = settings::settings(settings)?;
         let features = self.clips.iter().map(|clip| Rc::clone(&clip.feature));
         let run = ComparisonRun::new(features.collect(), settings);
-        let run = run.map_err(|error| failure::misuse(&error.to_string()))?;
-        self.run = Some((run, self.clips.clone()));
+        self.run = Some(Run {
+            run: run.map_err(|error| failure::misuse(&error.to_string()))?,
+            clips: self.clips.clone(),
+            keeps_places: keeps_places && self.places.fit(settings.distance),
+        });
         Ok(())
     }
 
     /// A few milliseconds of work. Returns the part done; 1 when the comparison is there.
     pub fn step(&mut self) -> Result<f64, JsError> {
-        let Some((run, _)) = &mut self.run else {
+        let Some(run) = &mut self.run else {
             return Err(failure::misuse("step: begin must come first"));
         };
-        let done = run.step();
+        let done = run.run.step();
         if done >= 1.0
-            && let Some((run, clips)) = self.run.take()
+            && let Some(run) = self.run.take()
         {
-            self.take(run.finish(), clips);
+            self.take(run);
         }
         Ok(done)
     }
@@ -182,6 +201,17 @@ impl ComparisonHandle {
             .flatten()
             .copied()
             .collect())
+    }
+
+    /// Clips that have come since the comparison.
+    pub fn arrivals(&self) -> Vec<i32> {
+        self.arrived().map(|(id, _)| id).collect()
+    }
+
+    /// Where they lie on its map: clips × 2.
+    #[wasm_bindgen(js_name = arrivalPlaces)]
+    pub fn arrival_places(&self) -> Vec<f64> {
+        self.arrived().flat_map(|(_, place)| place).collect()
     }
 
     /// Pairs, clusters by the linkage's rule, the legend's end, the largest distance, and the part of
@@ -333,16 +363,32 @@ impl ComparisonHandle {
 
 impl ComparisonHandle {
     /// Keeps a comparison, its map as the one before lay.
-    fn take(&mut self, mut comparison: Comparison, clips: Vec<NamedClip>) {
-        let items = clips.iter().enumerate();
-        let place = |(item, clip): (usize, &NamedClip)| Some((item, *self.places.get(&clip.id)?));
-        let known: Vec<(usize, Place)> = items.filter_map(place).collect();
-        comparison.map = map::procrustes(&comparison.map, &known);
-        let places = clips.iter().zip(&comparison.map.places);
-        self.places = places.map(|(clip, place)| (clip.id, *place)).collect();
+    fn take(&mut self, run: Run) {
+        let clips = run.clips;
+        let mut comparison = run.run.finish();
+        let kept = match run.keeps_places {
+            true => self.places.kept(&clips),
+            false => None,
+        };
+        let distance = comparison.settings.distance;
+        let lay_out = || {
+            let places = &mut self.places;
+            places.lay_out(distance, &comparison.map, &clips, &self.clips)
+        };
+        comparison.map = kept.unwrap_or_else(lay_out);
         self.one_nearest = None;
         self.picturing = None;
         self.compared = Some(Compared { comparison, clips });
+    }
+
+    /// The clips told that the comparison made last does not cover, with their places.
+    fn arrived(&self) -> impl Iterator<Item = (i32, Place)> {
+        let covers = |clip: &NamedClip| {
+            let compared = self.compared.as_ref();
+            compared.is_some_and(|compared| compared.item(clip.id).is_ok())
+        };
+        let arrived = self.clips.iter().filter(move |clip| !covers(clip));
+        arrived.filter_map(|clip| Some((clip.id, self.places.of(clip)?)))
     }
 
     fn compared(&self) -> Result<&Compared, JsError> {
@@ -357,8 +403,8 @@ impl ComparisonHandle {
 
 impl Compared {
     fn item(&self, clip: i32) -> Result<usize, JsError> {
-        let item = self.clips.iter().position(|one| one.id == clip);
-        item.ok_or_else(|| failure::misuse(&format!("clip {clip} is not in the comparison")))
+        let item = self.clips.binary_search_by_key(&clip, |one| one.id);
+        item.map_err(|_| failure::misuse(&format!("clip {clip} is not in the comparison")))
     }
 }
 

@@ -9,6 +9,7 @@ mod clips;
 mod comparison_handle;
 mod exports;
 mod failure;
+mod places;
 mod settings;
 mod texts;
 mod warp_handle;

@@ -23,6 +23,7 @@ pub mod distances;
 pub mod evaluation;
 pub mod explanation;
 pub mod feature;
+pub mod layout;
 pub mod leaf_order;
 pub mod linkage;
 pub mod map;

@@ -33,11 +33,16 @@ export interface ClipPair {
   readonly b: ClipId;
 }
 
+/** In the plane of the map. */
+export type MapPlace = readonly [number, number];
+
 export interface CompareStore {
   readonly page: Signal<Page>;
   readonly settings: Signal<ComparisonSettings>;
   /** The latest comparison; it stays, dimmed, while a newer one is made. */
   readonly comparison: Signal<Comparison | null>;
+  /** Where clips have arrived on the map that the latest comparison does not cover, or lately did not. */
+  readonly arrivals: Signal<ReadonlyMap<ClipId, MapPlace>>;
   /** 0 to 1 while comparing, else null. */
   readonly comparing: Signal<number | null>;
   /** What the person set the cut to; null: automatic. */
@@ -71,6 +76,7 @@ export function createCompareStore(): CompareStore {
     page: signal<Page>('study'),
     settings: signal(usualSettings),
     comparison: signal<Comparison | null>(null),
+    arrivals: signal<ReadonlyMap<ClipId, MapPlace>>(new Map()),
     comparing: signal<number | null>(null),
     cutClusters: signal<number | null>(null),
     cut: signal<Cut | null>(null),

@@ -26,7 +26,8 @@ function featureAt(place: number): ClipFeature {
 /** A comparer that notes what it is told and takes `costMs` to compare. */
 function fakeComparer(costMs = 0) {
   const features = new Map<number, ClipFeature>();
-  const compared: { settings: ComparisonSettings; clips: number[] }[] = [];
+  const compared: { settings: ComparisonSettings; clips: number[]; keepsPlaces: boolean }[] = [];
+  let covered: number[] = [];
   const comparison = (settings: ComparisonSettings, clips: number[]): Comparison =>
     ({ settings, clips: Int32Array.from(clips), automaticClusters: 2 }) as unknown as Comparison;
   const comparer: Partial<Comparer> = {
@@ -34,11 +35,17 @@ function fakeComparer(costMs = 0) {
       if (feature) features.set(clip, feature);
       else features.delete(clip);
     },
-    async compare(settings) {
+    async compare(settings, { keepsPlaces = false } = {}) {
       const clips = [...features.keys()];
-      compared.push({ settings, clips });
+      compared.push({ settings, clips, keepsPlaces });
       await new Promise((resolve) => setTimeout(resolve, costMs));
+      covered = clips;
       return comparison(settings, clips);
+    },
+    arrivals() {
+      const clips = [...features.keys()].filter((clip) => !covered.includes(clip));
+      const places = Float64Array.from(clips.flatMap((clip) => [clip, -clip]));
+      return Promise.resolve({ clips: Int32Array.from(clips), places });
     },
     cut: (clusters) =>
       Promise.resolve({ clusters, clusterOfItem: Int32Array.of(0, 1), height: clusters }),
@@ -109,6 +116,53 @@ test('while files are read it is made again as the set grows, and once more at t
   store.reading.value = false;
   await vi.advanceTimersByTimeAsync(1000);
   expect(store.compare.comparison.value?.clips).toHaveLength(40);
+});
+
+test('what comes between two comparisons is on the map within 100 ms', async () => {
+  const { store, compared } = setUp(40);
+  const { arrivals } = store.compare;
+  store.reading.value = true;
+  for (let id = 0; id < 30; id += 1) know(store, id);
+  await vi.advanceTimersByTimeAsync(1000);
+  know(store, 30);
+  await vi.advanceTimersByTimeAsync(100);
+  expect(compared).toHaveLength(1);
+  expect([...arrivals.value]).toEqual([[30, [30, -30]]]);
+  patchClip(store, 30, { removed: true });
+  expect(arrivals.value.size).toBe(0);
+});
+
+test('while files are read clips keep their places; the end lays all out', async () => {
+  const { store, compared } = setUp(40, 20);
+  store.reading.value = true;
+  for (let id = 0; id < 40; id += 1) {
+    know(store, id);
+    await vi.advanceTimersByTimeAsync(50);
+  }
+  await vi.advanceTimersByTimeAsync(1000);
+  const first = compared.findIndex(({ keepsPlaces }) => keepsPlaces);
+  expect(first).toBeGreaterThan(1);
+  expect(compared[first - 1].clips.length).toBeGreaterThanOrEqual(16);
+  expect(compared[first - 2].clips.length).toBeLessThan(16);
+  expect(compared.slice(first).every(({ keepsPlaces }) => keepsPlaces)).toBe(true);
+  store.reading.value = false;
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(compared.at(-1)).toMatchObject({ keepsPlaces: false });
+  expect(compared.at(-1)?.clips).toHaveLength(40);
+});
+
+test('all is laid out in the end also where nothing has come since', async () => {
+  const { store, compared } = setUp(45);
+  store.reading.value = true;
+  for (let id = 0; id < 20; id += 1) know(store, id);
+  await vi.advanceTimersByTimeAsync(1000);
+  for (let id = 20; id < 45; id += 1) know(store, id);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(compared.map(({ keepsPlaces }) => keepsPlaces)).toEqual([false, true]);
+  store.reading.value = false;
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(compared.map(({ keepsPlaces }) => keepsPlaces)).toEqual([false, true, false]);
+  expect(store.compare.arrivals.value.size).toBe(0);
 });
 
 test('a clip that is removed or decided about is compared anew, its undo too', async () => {

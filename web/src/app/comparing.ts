@@ -1,10 +1,13 @@
 /**
  * The comparison follows the store: features of clips in as they become known, what is known of the set
  * out. While files are still being read it is made again as the set grows; at the end it covers all.
+ * Meanwhile nothing moves on the map: what arrives is placed among what is there, and the end lays out
+ * all of it.
  */
 import { batch, effect } from '@preact/signals-core';
 import type { ClipFeature, Comparer, Comparison, Cut } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
+import { Arriving } from './arriving';
 import type { Clip } from './clips';
 import { followSelection } from './comparing-selection';
 import { isAbort } from './failure';
@@ -20,6 +23,8 @@ const growth = 1.4;
 const restForCost = 4;
 /** Changes that come one after the other, as of decisions, are taken together. */
 const settleMs = 60;
+/** A layout of fewer clips says too little of where others belong: the next comparison lays them out. */
+const leastLaidOut = 16;
 
 export interface ComparingParts {
   readonly store: Store;
@@ -47,11 +52,16 @@ class Comparing {
   private timer: ReturnType<typeof setTimeout> | null = null;
   private dueMs = 0;
   private readonly cuts: LatestAnswer<Cut>;
+  private readonly arriving: Arriving;
+  /** How many clips the latest layout of the map is of, and whether that is all of the comparison. */
+  private laidOut = 0;
+  private keepsPlaces = false;
 
   constructor(parts: ComparingParts) {
     this.parts = parts;
     const { cut } = parts.store.compare;
     this.cuts = new LatestAnswer((found) => (cut.value = found), parts.tellError);
+    this.arriving = new Arriving(parts);
   }
 
   start(): () => void {
@@ -78,6 +88,7 @@ class Comparing {
     return () => {
       ends.forEach((end) => end());
       if (this.timer !== null) clearTimeout(this.timer);
+      this.arriving.end();
     };
   }
 
@@ -90,18 +101,21 @@ class Comparing {
       this.told.set(id, feature);
       this.parts.comparer.setFeature(id, nameOf(source), feature);
       this.changed = true;
+      this.arriving.place();
     }
     for (const id of gone) {
       this.told.delete(id);
       this.parts.comparer.setFeature(id, '', null);
       this.changed = true;
     }
+    if (gone.size > 0) this.arriving.forget((id) => gone.has(id));
   }
 
   /** Compares when it is due, or looks again when it may be. */
   private schedule(): void {
     if (this.told.size < 2) this.clear();
-    if (!this.changed || this.told.size < 2) return;
+    const isLaidOut = !this.keepsPlaces || this.parts.store.reading.peek();
+    if ((!this.changed && isLaidOut) || this.told.size < 2) return;
     const waitMs = this.waitMs();
     if (waitMs === null) return;
     // Not later for what comes meanwhile: features may come without a pause.
@@ -133,15 +147,18 @@ class Comparing {
     const clips = this.told.size;
     this.changed = false;
     this.underWay = true;
+    this.keepsPlaces = store.reading.peek() && this.laidOut >= leastLaidOut;
+    const { keepsPlaces } = this;
     comparing.value = 0;
     const onProgress = ({ done }: { done: number }): void => {
       comparing.value = done;
     };
     comparer
-      .compare(settings.peek(), { onProgress })
+      .compare(settings.peek(), { onProgress, keepsPlaces })
       .then(async (comparison) => {
         const cut = await this.cutOf(comparison, store.compare.cutClusters.peek());
         this.accept(comparison, cut);
+        if (!keepsPlaces) this.laidOut = clips;
         Object.assign(this, { compared: clips, endedMs: now(), costMs: now() - startedMs });
         this.end();
       })
@@ -166,23 +183,27 @@ class Comparing {
 
   private accept(comparison: Comparison, cut: Cut): void {
     const { store } = this.parts;
+    const before = new Set(store.compare.comparison.peek()?.clips);
     this.cuts.forget();
     batch(() => {
       store.compare.comparison.value = comparison;
       store.compare.cut.value = cut;
+      this.arriving.forget((id) => before.has(id));
     });
-    const isFull = !this.changed && !store.reading.peek();
+    if (this.changed) this.arriving.place();
+    const isFull = !this.changed && !store.reading.peek() && !this.keepsPlaces;
     if (isFull) performance.mark(fullMark, { detail: comparison.clips.length });
   }
 
   private clear(): void {
     const { comparison, cut } = this.parts.store.compare;
     if (comparison.peek() === null) return;
-    this.compared = 0;
+    Object.assign(this, { compared: 0, laidOut: 0, keepsPlaces: false });
     this.cuts.forget();
     batch(() => {
       comparison.value = null;
       cut.value = null;
+      this.arriving.forget(() => true);
     });
   }
 }

@@ -3,6 +3,7 @@ import { prepareCanvas } from '../timeline/canvas';
 import type { ComparePalette } from './compare-palette';
 import { convexHull, type Point } from './hull';
 import { middleMember, type Anchor } from './map-layout';
+import { labelAt, type Spots } from './map-spots';
 import { shapePath } from '../common/label-shape';
 import { markLook } from './mark-tag';
 import type { Scene } from './scene';
@@ -12,6 +13,13 @@ export interface MapDrawing {
   readonly scene: Scene;
   readonly palette: ComparePalette;
   readonly points: readonly Point[];
+  readonly width: number;
+  readonly height: number;
+}
+
+export interface SpotDrawing {
+  readonly spots: Spots;
+  readonly palette: ComparePalette;
   readonly width: number;
   readonly height: number;
 }
@@ -91,34 +99,35 @@ export function hullColour({ panel, inkParts }: ComparePalette): string {
 /** Over the discs: the pair's line, and rings around what is selected and hovered. */
 export function drawMarks(
   canvas: HTMLCanvasElement,
-  drawing: MapDrawing & { readonly selected: ItemPair; readonly hovered: ItemPair | null },
+  drawing: SpotDrawing & { readonly selected: ItemPair; readonly hovered: ItemPair | null },
 ): void {
   const context = contextOf(canvas, drawing);
   if (!context) return;
-  const { selected, hovered, points, palette, scene } = drawing;
+  const { selected, hovered, spots, palette } = drawing;
+  const { points } = spots;
   drawLine(context, drawing, selected);
-  for (const item of [selected.a, selected.b])
-    if (item !== null) {
+  for (const spot of [selected.a, selected.b])
+    if (spot !== null) {
       context.save();
-      context.translate(...points[item]);
-      drawMark(context, palette, scene.labelOfItem[item], discRadius(scene.count));
+      context.translate(...points[spot]);
+      drawMark(context, palette, labelAt(spots, spot), discRadius(points.length));
       context.restore();
     }
-  const ring = (item: number | null, colour: string, width: number): void => {
-    if (item === null) return;
+  const ring = (spot: number | null, colour: string, width: number): void => {
+    if (spot === null) return;
     context.strokeStyle = colour;
     context.lineWidth = width;
     context.beginPath();
-    context.arc(...points[item], ringPx, 0, 2 * Math.PI);
+    context.arc(...points[spot], ringPx, 0, 2 * Math.PI);
     context.stroke();
   };
-  if (hovered) for (const item of [hovered.a, hovered.b]) ring(item, palette.ink, 1);
-  for (const item of [selected.a, selected.b]) ring(item, palette.kp, 2);
+  if (hovered) for (const spot of [hovered.a, hovered.b]) ring(spot, palette.ink, 1);
+  for (const spot of [selected.a, selected.b]) ring(spot, palette.kp, 2);
 }
 
 function drawLine(
   context: CanvasRenderingContext2D,
-  { points, palette }: MapDrawing,
+  { spots: { points }, palette }: SpotDrawing,
   { a, b }: ItemPair,
 ): void {
   if (a === null || b === null) return;

@@ -3,7 +3,8 @@
  * pixel: ten thousand take a few milliseconds.
  */
 import type { ComparePalette } from './compare-palette';
-import { contextOf, discRadius, drawMark, type MapDrawing } from './map-canvas';
+import { contextOf, discRadius, drawMark, type SpotDrawing } from './map-canvas';
+import { labelAt } from './map-spots';
 
 export interface Stamp {
   readonly width: number;
@@ -62,17 +63,18 @@ export class MapDiscs {
   private stamps = new Map<number, Stamp>();
   private key = '';
 
-  draw(canvas: HTMLCanvasElement, drawing: MapDrawing): void {
-    const { scene, palette, points } = drawing;
+  draw(canvas: HTMLCanvasElement, drawing: SpotDrawing): void {
+    const { spots, palette } = drawing;
+    const { points } = spots;
     const context = contextOf(canvas, drawing);
     if (!context || canvas.width === 0 || canvas.height === 0) return;
     const ratio = window.devicePixelRatio;
-    const radius = discRadius(scene.count);
+    const radius = discRadius(points.length);
     this.forgetOld([radius, ratio, palette.panel, ...palette.labels].join());
     const image = new ImageData(canvas.width, canvas.height);
     const pixels = new Uint32Array(image.data.buffer);
-    points.forEach(([x, y], item) => {
-      const label = scene.labelOfItem[item];
+    points.forEach(([x, y], spot) => {
+      const label = labelAt(spots, spot);
       const mark = this.stamps.get(label) ?? stampOf(palette, label, radius, ratio);
       this.stamps.set(label, mark);
       stamp(pixels, image.width, mark, x * ratio, y * ratio);

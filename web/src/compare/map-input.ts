@@ -2,10 +2,11 @@
 import type { ReadonlySignal, Signal } from '@preact/signals-core';
 import { element } from '../common/element';
 import { nearestTowards, pointAt, zoomed, type Direction, type MapTransform } from './map-layout';
-import type { MapState } from './map-view';
+import type { ClipId } from '../engine/types';
+import { clipAt, labelAt, nameAt, spotOf, type Spots } from './map-spots';
 import { RovingCell } from './roving-cell';
-import { clusterNumber, type Scene } from './scene';
-import { choose, hover, openPair, type Shared } from './shared';
+import { clusterNumber } from './scene';
+import { chooseClip, hoverClips, openPair, type Shared } from './shared';
 
 const reachPx = 14;
 const dragPx = 4;
@@ -21,13 +22,13 @@ const directions: Readonly<Record<string, Direction>> = {
 export class MapInput {
   readonly element = element('div', 'map-input');
   private readonly roving: RovingCell;
-  private scene: Scene | null = null;
-  private item = 0;
+  private clip: ClipId | null = null;
+  private spot = 0;
   private drag: { x: number; y: number; transform: MapTransform; moved: boolean } | null = null;
 
   constructor(
     private readonly shared: Shared,
-    private readonly state: ReadonlySignal<MapState | null>,
+    private readonly spots: ReadonlySignal<Spots | null>,
     private readonly transform: Signal<MapTransform | null>,
     private readonly fitted: () => MapTransform,
   ) {
@@ -46,49 +47,65 @@ export class MapInput {
   }
 
   update(): void {
-    const state = this.state.value;
+    const spots = this.spots.value;
     const { t } = this.shared.context.language.words.value;
     this.element.setAttribute('aria-label', t('map.label'));
     this.element.setAttribute('aria-description', t('map.help'));
-    if (!state || state.scene.count === 0) return;
-    const { selected } = this.shared;
-    const another = this.scene?.comparison !== state.scene.comparison;
-    this.scene = state.scene;
-    if (!this.focused) this.item = selected.value.a ?? (another ? 0 : this.item);
-    this.item = Math.min(this.item, state.scene.count - 1);
-    this.roving.stand(this.placeOf(state));
-    this.roving.say(this.words(state.scene));
+    if (!spots || spots.points.length === 0) return;
+    const { openId } = this.shared.context.store;
+    const open = spotOf(spots, openId.value);
+    this.standAt(spots, (this.focused ? null : open) ?? spotOf(spots, this.clip) ?? 0);
+    this.roving.stand(this.placeOf(spots));
+    this.roving.say(this.words(spots));
   }
 
-  private placeOf({ points }: MapState) {
-    const [x, y] = points[this.item];
+  private standAt(spots: Spots, spot: number): void {
+    this.spot = spot;
+    this.clip = clipAt(spots, spot) ?? null;
+  }
+
+  private placeOf({ points }: Spots) {
+    const [x, y] = points[this.spot];
     return { left: x - cellPx / 2, top: y - cellPx / 2, width: cellPx, height: cellPx };
   }
 
-  private words(scene: Scene): string {
+  private words(spots: Spots): string {
     const { t } = this.shared.context.language.words.value;
-    const label = scene.labels[scene.labelOfItem[this.item]] ?? t('names.no-label');
-    return t('map.point', scene.names[this.item], label, clusterNumber(scene, this.item));
+    const { spot } = this;
+    const label = spots.scene.labels[labelAt(spots, spot)] ?? t('names.no-label');
+    const name = nameAt(spots, spot);
+    if (spot >= spots.scene.count) return t('map.point.arrived', name, label);
+    return t('map.point', name, label, clusterNumber(spots.scene, spot));
+  }
+
+  private hoverSpot(spots: Spots, spot: number): void {
+    const clip = clipAt(spots, spot);
+    hoverClips(this.shared, clip === undefined ? null : { a: clip, b: clip });
+  }
+
+  private chooseSpot(spots: Spots, spot: number, as: 'a' | 'b'): void {
+    const clip = clipAt(spots, spot);
+    if (clip !== undefined) chooseClip(this.shared, clip, as);
   }
 
   private move(direction: Direction): void {
-    const state = this.state.peek();
-    if (!state) return;
-    const next = nearestTowards(state.points, this.item, direction);
+    const spots = this.spots.peek();
+    if (!spots) return;
+    const next = nearestTowards(spots.points, this.spot, direction);
     if (next < 0) return;
-    this.item = next;
-    this.roving.renew(this.words(state.scene), this.placeOf(state));
-    hover(this.shared, { a: next, b: next });
+    this.standAt(spots, next);
+    this.roving.renew(this.words(spots), this.placeOf(spots));
+    this.hoverSpot(spots, next);
   }
 
   private readonly onKey = (event: KeyboardEvent): void => {
-    const state = this.state.peek();
-    if (!state || event.ctrlKey || event.metaKey || event.altKey) return;
+    const spots = this.spots.peek();
+    if (!spots || event.ctrlKey || event.metaKey || event.altKey) return;
     const { key } = event;
-    const [x, y] = state.points[this.item] ?? [0, 0];
+    const [x, y] = spots.points[this.spot] ?? [0, 0];
     if (key in directions) this.move(directions[key]);
     else if (key === 'Enter' || key === ' ')
-      choose(this.shared, this.item, event.shiftKey ? 'b' : 'a');
+      this.chooseSpot(spots, this.spot, event.shiftKey ? 'b' : 'a');
     else if (key === '+' || key === '=') this.zoomAt(zoomStep, x, y);
     else if (key === '-') this.zoomAt(1 / zoomStep, x, y);
     else if (key === '0') this.transform.value = null;
@@ -103,17 +120,20 @@ export class MapInput {
     this.transform.value = next.scale <= whole.scale * 1.001 ? null : next;
   }
 
-  private itemAt(event: MouseEvent): number {
+  private spotAt(event: MouseEvent): number {
     const box = this.element.getBoundingClientRect();
-    const points = this.state.peek()?.points ?? [];
+    const points = this.spots.peek()?.points ?? [];
     return pointAt(points, event.clientX - box.left, event.clientY - box.top, reachPx);
   }
 
   private listen(): void {
     const map = this.element;
     map.addEventListener('keydown', this.onKey);
-    map.addEventListener('focusin', () => hover(this.shared, { a: this.item, b: this.item }));
-    map.addEventListener('focusout', () => hover(this.shared, null));
+    map.addEventListener('focusin', () => {
+      const spots = this.spots.peek();
+      if (spots) this.hoverSpot(spots, this.spot);
+    });
+    map.addEventListener('focusout', () => hoverClips(this.shared, null));
     map.addEventListener('pointerdown', (event) => {
       if (event.button !== 0) return;
       const transform = this.transform.peek() ?? this.fitted();
@@ -121,11 +141,11 @@ export class MapInput {
       map.setPointerCapture(event.pointerId);
     });
     map.addEventListener('pointermove', this.onMove);
-    map.addEventListener('pointerleave', () => !this.focused && hover(this.shared, null));
+    map.addEventListener('pointerleave', () => !this.focused && hoverClips(this.shared, null));
     map.addEventListener('click', (event) => this.onClick(event));
     map.addEventListener('dblclick', (event) => {
       const { a, b } = this.shared.selected.peek();
-      if (this.itemAt(event) >= 0 && a !== null && b !== null) openPair(this.shared, a, b);
+      if (this.spotAt(event) >= 0 && a !== null && b !== null) openPair(this.shared, a, b);
     });
     map.addEventListener('wheel', this.onWheel, { passive: false });
   }
@@ -144,21 +164,25 @@ export class MapInput {
         };
       if (drag.moved) return;
     }
-    const item = this.itemAt(event);
-    this.element.classList.toggle('over', item >= 0);
-    hover(this.shared, item < 0 ? null : { a: item, b: item });
+    const spots = this.spots.peek();
+    const spot = this.spotAt(event);
+    this.element.classList.toggle('over', spot >= 0);
+    if (spots && spot >= 0) this.hoverSpot(spots, spot);
+    else hoverClips(this.shared, null);
   };
 
   private onClick(event: MouseEvent): void {
     const dragged = this.drag?.moved;
     this.drag = null;
-    const item = this.itemAt(event);
-    if (dragged || item < 0) return;
-    choose(this.shared, item, event.shiftKey || event.ctrlKey || event.metaKey ? 'b' : 'a');
+    const spots = this.spots.peek();
+    const spot = this.spotAt(event);
+    if (dragged || !spots || spot < 0) return;
+    const second = event.shiftKey || event.ctrlKey || event.metaKey;
+    this.chooseSpot(spots, spot, second ? 'b' : 'a');
   }
 
   private readonly onWheel = (event: WheelEvent): void => {
-    if (!this.state.peek()) return;
+    if (!this.spots.peek()) return;
     event.preventDefault();
     const box = this.element.getBoundingClientRect();
     const factor = Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.002));

@@ -3,6 +3,7 @@ import { convexHull, type Point } from './hull';
 import {
   between,
   fitMap,
+  keptFit,
   middleMember,
   nearestTowards,
   onScreen,
@@ -45,6 +46,18 @@ test('the map fills its room at one scale for both axes, upward is up', () => {
 test('clips all in one place stand in the middle', () => {
   const transform = fitMap(Float64Array.of(3, 3, 3, 3), room);
   expect(onScreen(transform, [3, 3])).toEqual([100, 50]);
+});
+
+test('the map is fitted anew only where something is out of sight or all is small', () => {
+  const usual = { left: 50, top: 50, right: 150, bottom: 150 };
+  const outer = { left: 0, top: 0, right: 200, bottom: 200 };
+  const fit = fitMap(Float64Array.of(0, 0, 1, 1), usual);
+  const kept = (...places: number[]) => keptFit(fit, Float64Array.from(places), { usual, outer });
+  expect(kept(0, 0, 1.4, 1)).toBe(fit);
+  expect(kept(0, 0, 0.8, 0.8)).toBe(fit);
+  expect(kept(0, 0, 1, 1.6).scale).toBeCloseTo(100 / 1.6);
+  expect(kept(-0.6, 0, 1, 1).scale).toBeCloseTo(100 / 1.6);
+  expect(kept(0, 0, 0.5, 0.5).scale).toBe(200);
 });
 
 test('zooming holds the point under the pointer', () => {

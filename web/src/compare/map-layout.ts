@@ -41,6 +41,32 @@ export function fitMap(places: Float64Array, room: Box): MapTransform {
   };
 }
 
+/** Where a map is to fit, and what it may grow into before it is fitted again. */
+export interface MapRoom {
+  readonly usual: Box;
+  readonly outer: Box;
+}
+
+/** A fitted map is larger than this by no more. */
+const mostSpare = 1.3;
+
+/** The fit that there is as long as everything has room and nothing is lost in the middle of it. */
+export function keptFit(fit: MapTransform, places: Float64Array, room: MapRoom): MapTransform {
+  const fitted = fitMap(places, room.usual);
+  const { left, top, right, bottom } = room.outer;
+  const isWithin = (value: number, k: number): boolean => {
+    const on = k & 1 ? fit.y - fit.scale * value : fit.x + fit.scale * value;
+    return k & 1 ? on >= top && on <= bottom : on >= left && on <= right;
+  };
+  const keeps = fitted.scale <= mostSpare * fit.scale && places.every(isWithin);
+  return keeps ? fit : fitted;
+}
+
+export function betweenFits(from: MapTransform, to: MapTransform, part: number): MapTransform {
+  const at = (a: number, b: number): number => a + (b - a) * part;
+  return { scale: at(from.scale, to.scale), x: at(from.x, to.x), y: at(from.y, to.y) };
+}
+
 /** The same with the point under (x, y) held and everything `factor` times as large. */
 export function zoomed(
   transform: MapTransform,

@@ -5,17 +5,19 @@ import { iconButton } from '../common/buttons';
 import { drawn, styled } from '../common/directives';
 import { element } from '../common/element';
 import { follow } from '../common/mount';
+import type { ClipId } from '../engine/types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 import { distanceNumber } from './distance-number';
 import { clusterAnchors, discRadius, drawHulls, drawMarks } from './map-canvas';
 import { MapDiscs } from './map-discs';
 import { MapGlide } from './map-glide';
 import { MapInput } from './map-input';
-import { fitMap, onScreen, placeFigures, type Box, type MapTransform } from './map-layout';
+import { onScreen, placeFigures, type Box, type MapRoom, type MapTransform } from './map-layout';
+import { spotOf, type Spots } from './map-spots';
 import type { Point } from './hull';
 import { PairTip } from './pair-tip';
 import type { Scene } from './scene';
-import type { Shared } from './shared';
+import type { ItemPair, Shared } from './shared';
 
 const figurePx = { width: 44, height: 48, padding: 2 };
 /** Clusters beyond the largest of so many have no figure. */
@@ -46,10 +48,19 @@ const inside = (width: number, height: number, by: Box): Box => ({
   bottom: Math.max(by.top + 1, height - by.bottom),
 });
 
+function roomOf({ width, height }: { width: number; height: number }): MapRoom | null {
+  if (width === 0) return null;
+  return { usual: inside(width, height, usualMargins), outer: inside(width, height, clear) };
+}
+
 export class MapView {
   readonly transform = signal<MapTransform | null>(null);
-  readonly state: ReadonlySignal<MapState | null>;
+  /** What has been compared. */
+  private readonly state: ReadonlySignal<MapState | null>;
+  /** That and what has arrived since. */
+  private readonly spots: ReadonlySignal<Spots | null>;
   private readonly size = signal({ width: 0, height: 0 });
+  private readonly room = computed(() => roomOf(this.size.value));
   private readonly layers = {
     hulls: document.createElement('canvas'),
     discs: document.createElement('canvas'),
@@ -68,10 +79,11 @@ export class MapView {
     private readonly shared: Shared,
     private readonly large: { readonly value: boolean; readonly toggle: () => void },
   ) {
-    this.glide = new MapGlide(shared.scene);
+    this.glide = new MapGlide(shared.scene, shared.arrived, this.room);
     this.tip = new PairTip(shared);
     this.state = computed(() => this.stateNow());
-    this.input = new MapInput(shared, this.state, this.transform, () => this.fitted());
+    this.spots = computed(() => this.spotsNow());
+    this.input = new MapInput(shared, this.spots, this.transform, () => this.glide.fit.peek());
     const layers = Object.values(this.layers);
     for (const layer of layers) layer.className = 'map-canvas';
     for (const part of [...layers, this.figures, this.pill])
@@ -85,39 +97,47 @@ export class MapView {
     this.draw();
   }
 
-  private fitted(): MapTransform {
-    const { width, height } = this.size.value;
-    const map = this.shared.scene.value?.comparison.map ?? new Float64Array();
-    return fitMap(map, inside(width, height, usualMargins));
-  }
+  private readonly pointsOf = (places: Float64Array): readonly Point[] => {
+    const transform = this.transform.value ?? this.glide.fit.value;
+    return Array.from({ length: places.length / 2 }, (_, k) =>
+      onScreen(transform, [places[2 * k], places[2 * k + 1]]),
+    );
+  };
 
   private stateNow(): MapState | null {
     const { width, height } = this.size.value;
     const scene = this.shared.scene.value;
-    if (!scene || width === 0) return null;
-    const transform = this.transform.value ?? this.fitted();
     const places = this.glide.places.value;
-    const points = Array.from({ length: scene.count }, (_, item) =>
-      onScreen(transform, [places[2 * item], places[2 * item + 1]]),
-    );
-    return { scene, points, width, height };
+    if (!scene || width === 0 || places.length !== 2 * scene.count) return null;
+    return { scene, points: this.pointsOf(places), width, height };
+  }
+
+  private spotsNow(): Spots | null {
+    const state = this.state.value;
+    const arrived = this.shared.arrived.value;
+    const places = this.glide.arrivedPlaces.value;
+    if (!state) return null;
+    const { scene, points } = state;
+    if (places.length !== 2 * arrived.length) return { scene, points, arrived: [] };
+    return { scene, points: points.concat(this.pointsOf(places)), arrived };
   }
 
   private draw(): void {
-    const { palette, selected, hovered } = this.shared;
-    const { layers } = this;
+    const { palette } = this.shared;
+    const { layers, size } = this;
     follow(() => {
       const state = this.state.value;
       if (state) drawHulls(layers.hulls, { ...state, palette: palette.value });
     });
     follow(() => {
-      const state = this.state.value;
-      if (state) this.discs.draw(layers.discs, { ...state, palette: palette.value });
+      const spots = this.spots.value;
+      if (spots) this.discs.draw(layers.discs, { spots, ...size.value, palette: palette.value });
     });
     follow(() => {
-      const state = this.state.value;
-      const marks = { selected: selected.value, hovered: hovered.value };
-      if (state) drawMarks(layers.marks, { ...state, ...marks, palette: palette.value });
+      const spots = this.spots.value;
+      if (!spots) return;
+      const marks = this.markedSpots(spots);
+      drawMarks(layers.marks, { spots, ...marks, ...size.value, palette: palette.value });
     });
     const placed = computed(() => (this.glide.gliding.value ? [] : this.placedFigures()));
     follow(() => render(this.drawnFigures(placed.value), this.figures));
@@ -125,6 +145,19 @@ export class MapView {
     follow(() => this.input.update());
     follow(() => this.showTip());
     follow(() => render(this.headLine(), this.head));
+  }
+
+  private markedSpots(spots: Spots): { selected: ItemPair; hovered: ItemPair | null } {
+    const { store } = this.shared.context;
+    const hovered = store.compare.hovered.value;
+    const pair = (a: ClipId | null, b: ClipId | null): ItemPair => ({
+      a: spotOf(spots, a),
+      b: spotOf(spots, b),
+    });
+    return {
+      selected: pair(store.openId.value, store.compare.otherId.value),
+      hovered: hovered && pair(hovered.a, hovered.b),
+    };
   }
 
   private placedFigures(): readonly PlacedFigure[] {
@@ -199,14 +232,16 @@ export class MapView {
   }
 
   private showTip(): void {
-    const state = this.state.value;
-    const hovered = this.shared.hovered.value;
+    const spots = this.spots.value;
+    const hovered = this.shared.context.store.compare.hovered.value;
     const over = this.input.focused || this.place.matches(':hover');
-    const item = hovered && hovered.a === hovered.b ? hovered.a : null;
-    if (!state || item === null || !over) return this.tip.show(null);
-    const [x, y] = state.points[item];
+    const clip = hovered && hovered.a === hovered.b ? hovered.a : null;
+    const spot = spots && spotOf(spots, clip);
+    if (!spots || spot === null || !over) return this.tip.show(null);
+    const [x, y] = spots.points[spot];
     const box = { left: x - 6, top: y - 6, right: x + 6, bottom: y + 6 };
-    this.tip.show({ a: item, b: item, box });
+    if (spot < spots.scene.count) this.tip.show({ a: spot, b: spot, box });
+    else this.tip.showArrived(spots.arrived[spot - spots.scene.count], box);
   }
 
   private headLine(): TemplateResult {

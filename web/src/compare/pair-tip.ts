@@ -5,8 +5,10 @@ import type { Words } from '../app/i18n/catalogue';
 import { drawn } from '../common/directives';
 import { element } from '../common/element';
 import type { Explanation } from '../engine/comparison-types';
+import type { ClipId } from '../engine/types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 import { distanceNumber } from './distance-number';
+import type { Arrived } from './map-arrivals';
 import type { Box } from './map-layout';
 import type { Scene } from './scene';
 import type { Shared } from './shared';
@@ -43,6 +45,19 @@ export class PairTip {
     this.stand(place.box);
   }
 
+  /** A clip that is on the map and has not been compared yet. */
+  showArrived({ clip, name, label }: Arrived, box: Box): void {
+    const { context, scene } = this.shared;
+    const { t } = context.language.words.value;
+    const line = [scene.value?.labels[label], t('map.arrived')].filter(Boolean).join(' · ');
+    this.element.hidden = false;
+    const content = html`<div class="tip-figures">${this.figureOf(clip)}</div>
+      <div class="tip-names">${itemMark(label)}<span class="tip-name">${name}</span></div>
+      <div class="tip-rank">${line}</div>`;
+    render(content, this.element);
+    this.stand(box);
+  }
+
   private content(scene: Scene, { a, b }: TipPlace, known: Explanation | null): TemplateResult {
     const words = this.shared.context.language.words.value;
     const named = (item: number): TemplateResult =>
@@ -61,8 +76,11 @@ export class PairTip {
   }
 
   private figure({ comparison }: Scene, item: number): TemplateResult {
-    const clip = this.shared.context.store.clips.value[comparison.clips[item]];
-    const figure = clip?.thumbnail ?? null;
+    return this.figureOf(comparison.clips[item]);
+  }
+
+  private figureOf(clip: ClipId): TemplateResult {
+    const figure = this.shared.context.store.clips.value[clip]?.thumbnail ?? null;
     const { width, height, padding } = figurePx;
     const draw = (svg: Element): void => {
       if (figure) drawFlatFigure(svg, figure, fitFigure(figure, width, height, padding));

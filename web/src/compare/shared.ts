@@ -5,6 +5,7 @@ import type { ClipPair } from '../app/compare-store';
 import type { ClipId } from '../engine/types';
 import { comparePalette, type ComparePalette } from './compare-palette';
 import { HoverFacts } from './hover-facts';
+import { arrivedSince, type Arrived } from './map-arrivals';
 import { PictureSource } from './picture-source';
 import { sceneOf, type Scene } from './scene';
 
@@ -18,12 +19,28 @@ export interface Shared {
   readonly context: Context;
   /** null until something has been compared; the latest whose picture is there. */
   readonly scene: ReadonlySignal<Scene | null>;
+  /** Clips on the map that the scene does not have yet. */
+  readonly arrived: ReadonlySignal<readonly Arrived[]>;
   readonly pictures: PictureSource;
   readonly facts: HoverFacts;
   readonly palette: ReadonlySignal<ComparePalette>;
   readonly selected: ReadonlySignal<ItemPair>;
   /** One clip alone is hovered as a pair with itself. */
   readonly hovered: ReadonlySignal<ItemPair | null>;
+}
+
+const noneArrived: readonly Arrived[] = [];
+
+function arrivedIn(
+  scene: ReadonlySignal<Scene | null>,
+  { store }: Context,
+): ReadonlySignal<readonly Arrived[]> {
+  return computed(() => {
+    const [shown, arrivals] = [scene.value, store.compare.arrivals.value];
+    if (!shown || arrivals.size === 0) return noneArrived;
+    const arrived = arrivedSince(shown, arrivals, store.clips.peek(), store.labels.value);
+    return arrived.length > 0 ? arrived : noneArrived;
+  });
 }
 
 export function createShared(place: Element, context: Context): Shared {
@@ -56,6 +73,7 @@ export function createShared(place: Element, context: Context): Shared {
   return {
     context,
     scene,
+    arrived: arrivedIn(scene, context),
     pictures,
     facts,
     palette: computed(() => {
@@ -72,18 +90,24 @@ const clipOf = ({ scene }: Shared, item: number): ClipId | undefined =>
 
 /** Says what is hovered, by items; null: nothing. */
 export function hover(shared: Shared, pair: { a: number; b: number } | null): void {
-  const { hovered } = shared.context.store.compare;
   const [a, b] = pair ? [clipOf(shared, pair.a), clipOf(shared, pair.b)] : [];
+  hoverClips(shared, a === undefined || b === undefined ? null : { a, b });
+}
+
+export function hoverClips({ context }: Shared, pair: ClipPair | null): void {
+  const { hovered } = context.store.compare;
   const before = hovered.peek();
-  if (a === undefined || b === undefined) hovered.value = null;
-  else if (before?.a !== a || before.b !== b) hovered.value = { a, b };
+  if (!pair || before?.a !== pair.a || before.b !== pair.b) hovered.value = pair;
 }
 
 /** Selects one clip as the first, or as the second, of the pair. */
 export function choose(shared: Shared, item: number, as: 'a' | 'b'): void {
-  const { actions, compareActions } = shared.context;
   const id = clipOf(shared, item);
-  if (id === undefined) return;
+  if (id !== undefined) chooseClip(shared, id, as);
+}
+
+export function chooseClip({ context }: Shared, id: ClipId, as: 'a' | 'b'): void {
+  const { actions, compareActions } = context;
   if (as === 'a') actions.openClip(id);
   else compareActions.selectOther(id);
 }

@@ -12,6 +12,7 @@ import {
 } from './comparison-protocol';
 import type {
   ClipFeature,
+  CompareOptions,
   Comparer,
   Comparison,
   ComparisonExportKind,
@@ -20,6 +21,7 @@ import type {
   Evaluation,
   Explanation,
   LabelledCut,
+  MapPlaces,
   MatrixPicture,
   MatrixRegion,
   Neighbour,
@@ -53,10 +55,15 @@ interface Told {
   readonly feature: ClipFeature;
 }
 
-/** The settings and the clips of a comparison, with which it can be made again. */
-interface Compared {
+/** What is to be compared, of which clips. */
+interface Wanted {
   readonly settings: ComparisonSettings;
   readonly clips: ReadonlyMap<ClipId, Told>;
+}
+
+/** A comparison with all that is needed to make it again, its map as it lay. */
+interface Compared extends Wanted {
+  readonly map: MapPlaces;
 }
 
 type Run<T> = Task<T, ComparisonApi>['run'];
@@ -71,6 +78,8 @@ class WorkerComparer implements Comparer {
   /** What the worker has compared: another worker has nothing. */
   private inWorker: Compared | null = null;
   private run = new AbortController();
+  /** Only one at a time turns what the worker knows into what it wants. */
+  private telling: Promise<unknown> = Promise.resolve();
 
   constructor(engine: PostureSource, spawn: Spawn<ComparisonApi>) {
     this.engine = engine;
@@ -82,12 +91,19 @@ class WorkerComparer implements Comparer {
     else this.features.set(clip, { name, feature });
   }
 
-  async compare(settings: ComparisonSettings, work: WorkOptions = {}): Promise<Comparison> {
+  async compare(
+    settings: ComparisonSettings,
+    { keepsPlaces = false, ...work }: CompareOptions = {},
+  ): Promise<Comparison> {
     this.run.abort();
     this.run = new AbortController();
-    const ascending = [...this.features].sort(([a], [b]) => a - b);
-    const compared: Compared = { settings, clips: new Map(ascending) };
-    return this.comparison(compared, { ...work, signal: anyOf(this.run.signal, work.signal) });
+    const signal = anyOf(this.run.signal, work.signal);
+    return this.comparison({ settings, clips: this.features }, keepsPlaces, { ...work, signal });
+  }
+
+  arrivals(): Promise<MapPlaces> {
+    const tellAll = (): Promise<void> => this.inTurn(() => this.tell(this.features));
+    return this.ask((api, job) => api.arrivals(job), tellAll);
   }
 
   cut(clusters: number): Promise<Cut> {
@@ -137,38 +153,60 @@ class WorkerComparer implements Comparer {
   }
 
   /** A request about the latest comparison. */
-  private ask<T>(run: Run<T>): Promise<T> {
+  private ask<T>(run: Run<T>, prepare = (): Promise<void> => Promise.resolve()): Promise<T> {
     return this.again(async () => {
       const { latest } = this;
-      if (latest !== null && this.inWorker === null) await this.comparison(latest);
+      if (latest !== null && this.inWorker === null) await this.comparison(latest, false);
+      await prepare();
       return this.start(run);
     });
   }
 
-  private comparison(compared: Compared, work: WorkOptions = {}): Promise<Comparison> {
+  private comparison(
+    { settings, clips }: Wanted,
+    keepsPlaces: boolean,
+    work: WorkOptions = {},
+  ): Promise<Comparison> {
     return this.again(async () => {
-      await this.tell(compared.clips, work);
-      const found = await this.start((api, job) => api.compare(job, compared.settings), work);
-      // In the order of the items, so that made again it numbers them alike.
-      const items = [...found.clips].flatMap((clip) => {
-        const told = compared.clips.get(clip);
-        return told ? [[clip, told] as const] : [];
+      const answer = await this.inTurn(async () => {
+        await this.tell(clips, work.signal);
+        const known = this.inWorker === null ? (this.latest?.map ?? null) : null;
+        const plan = { keepsPlaces, known };
+        return [this.start((api, job) => api.compare(job, settings, plan), work)] as const;
       });
-      this.latest = { settings: compared.settings, clips: new Map(items) };
-      this.inWorker = this.latest;
+      const found = await answer[0];
+      this.keep(settings, found);
       return found;
     });
   }
 
+  private keep(settings: ComparisonSettings, { clips, map }: Comparison): void {
+    const toldOf = (clip: ClipId): readonly (readonly [ClipId, Told])[] => {
+      const told = this.told.get(clip);
+      return told ? [[clip, told]] : [];
+    };
+    const items = new Map([...clips].flatMap(toldOf));
+    this.latest = { settings, clips: items, map: { clips, places: map } };
+    this.inWorker = this.latest;
+  }
+
+  private inTurn<T>(work: () => Promise<T>): Promise<T> {
+    const turn = this.telling.then(work);
+    this.telling = turn.catch(() => undefined);
+    return turn;
+  }
+
   /** Tells the worker what it does not know yet, a part at a time: packing all takes the page long. */
-  private async tell(wanted: ReadonlyMap<ClipId, Told>, work: WorkOptions): Promise<void> {
+  private async tell(wanted: ReadonlyMap<ClipId, Told>, signal?: AbortSignal): Promise<void> {
     for (;;) {
+      signal?.throwIfAborted();
       const news = newsBetween(this.told, wanted, TOLD_AT_ONCE);
       if (news.clips.length + news.gone.length === 0) return;
       for (const clip of news.gone) this.told.delete(clip);
       for (const clip of news.clips) this.told.set(clip, wanted.get(clip));
       const { buffer } = news.values;
-      await this.start((api, job) => api.tell(job, transfer(news, [buffer])), work);
+      // Not to be cancelled: what is noted as told has been told.
+      await this.start((api, job) => api.tell(job, transfer(news, [buffer])));
     }
   }
 

@@ -11,6 +11,7 @@ import type {
   Evaluation,
   Explanation,
   LabelledCut,
+  MapPlaces,
   MatrixPicture,
   MatrixRegion,
   Neighbour,
@@ -30,13 +31,21 @@ export interface FeatureNews {
   readonly gone: Int32Array;
 }
 
+/** How the map of a comparison is laid. */
+export interface MapPlan {
+  readonly keepsPlaces: boolean;
+  /** Where clips lay on a map made by another worker; null: this one knows. */
+  readonly known: MapPlaces | null;
+}
+
 /** What a comparison's worker does. Every method but `cancel` ends with an outcome. */
 export interface ComparisonApi {
   listen(listener: WorkerListener): void;
   cancel(job: JobId): void;
   tell(job: JobId, news: FeatureNews): Promise<Outcome<null>>;
   /** Compares the clips told so far. */
-  compare(job: JobId, settings: ComparisonSettings): Promise<Outcome<Comparison>>;
+  compare(job: JobId, settings: ComparisonSettings, plan: MapPlan): Promise<Outcome<Comparison>>;
+  arrivals(job: JobId): Promise<Outcome<MapPlaces>>;
   cut(job: JobId, clusters: number): Promise<Outcome<Cut>>;
   picture(job: JobId, region: MatrixRegion): Promise<Outcome<MatrixPicture>>;
   explain(job: JobId, a: ClipId, b: ClipId): Promise<Outcome<Explanation>>;

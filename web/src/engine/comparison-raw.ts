@@ -11,6 +11,7 @@ import type {
   Evaluation,
   Explanation,
   LabelledCut,
+  MapPlaces,
   MatrixPicture,
   MatrixRegion,
   Neighbour,
@@ -31,14 +32,18 @@ export interface ComparisonCore {
   memoryBytes(): number;
 }
 
-/** Clips and their comparison; all but the first four speak of the one made last. */
+/** Clips and their comparison; all but the first five speak of the one made last. */
 export interface CoreSet {
   setFeature(clip: ClipId, name: string, feature: ClipFeature): void;
   removeFeature(clip: ClipId): void;
-  begin(settings: ComparisonSettings): void;
+  /** Where clips lay on a map made elsewhere. */
+  recallPlaces(known: MapPlaces): void;
+  begin(settings: ComparisonSettings, keepsPlaces: boolean): void;
   /** A few milliseconds of work. Returns the part done; 1 when the comparison is there. */
   step(): number;
   comparison(settings: ComparisonSettings): Comparison;
+  /** Clips that it does not cover, on its map. */
+  arrivals(): MapPlaces;
   cut(clusters: number): Cut;
   beginPicture(region: MatrixRegion): void;
   stepPicture(): number;
@@ -81,8 +86,12 @@ class WasmSet implements CoreSet {
     this.handle.removeFeature(clip);
   }
 
-  begin(settings: ComparisonSettings): void {
-    refusing(() => this.handle.begin(settings));
+  recallPlaces({ clips, places }: MapPlaces): void {
+    clips.forEach((clip, k) => this.handle.recallPlace(clip, places[2 * k], places[2 * k + 1]));
+  }
+
+  begin(settings: ComparisonSettings, keepsPlaces: boolean): void {
+    refusing(() => this.handle.begin(settings, keepsPlaces));
   }
 
   step(): number {
@@ -107,6 +116,10 @@ class WasmSet implements CoreSet {
         spread,
       };
     });
+  }
+
+  arrivals(): MapPlaces {
+    return { clips: this.handle.arrivals(), places: this.handle.arrivalPlaces() };
   }
 
   cut(clusters: number): Cut {

@@ -75,6 +75,13 @@ export interface Comparison {
   readonly spread: number;
 }
 
+/** Clips on the map. */
+export interface MapPlaces {
+  readonly clips: Int32Array;
+  /** clips × 2. */
+  readonly places: Float64Array;
+}
+
 /** The partition at a cut; clusters count from 0 in the order of the tree. */
 export interface Cut {
   readonly clusters: number;
@@ -201,12 +208,20 @@ export interface LabelledCut {
   readonly labels: readonly (string | null)[];
 }
 
+export interface CompareOptions extends WorkOptions {
+  /** Clips stay where they lie on the map; those that came since have the place that Gower's formula
+   * gives them. Another distance lays all out anew. */
+  readonly keepsPlaces?: boolean;
+}
+
 /** The comparison's worker: features in, and all that is known of the set out. */
 export interface Comparer {
   /** Tells or, with null, takes away the feature of a clip. */
   setFeature(clip: ClipId, name: string, feature: ClipFeature | null): void;
   /** Compares the clips told so far; a newer call cancels an older one. All below speak of the latest. */
-  compare(settings: ComparisonSettings, work?: WorkOptions): Promise<Comparison>;
+  compare(settings: ComparisonSettings, options?: CompareOptions): Promise<Comparison>;
+  /** The clips told since, each with its place on the map, on which nothing moves for them. */
+  arrivals(): Promise<MapPlaces>;
   cut(clusters: number): Promise<Cut>;
   picture(region: MatrixRegion): Promise<MatrixPicture>;
   explain(a: ClipId, b: ClipId): Promise<Explanation>;

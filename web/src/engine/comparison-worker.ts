@@ -3,7 +3,7 @@
  * over come out. One set of clips lives here; its comparison made last answers.
  */
 import { transfer } from 'comlink';
-import type { ComparisonApi, FeatureNews } from './comparison-protocol';
+import type { ComparisonApi, FeatureNews, MapPlan } from './comparison-protocol';
 import { unpackFeature } from './comparison-protocol';
 import type { ComparisonCore, CoreSet } from './comparison-raw';
 import type {
@@ -14,6 +14,7 @@ import type {
   Evaluation,
   Explanation,
   LabelledCut,
+  MapPlaces,
   MatrixPicture,
   MatrixRegion,
   Neighbour,
@@ -64,11 +65,16 @@ export class ComparisonWorker implements ComparisonApi {
     });
   }
 
-  compare(job: JobId, settings: ComparisonSettings): Promise<Outcome<Comparison>> {
+  compare(
+    job: JobId,
+    settings: ComparisonSettings,
+    { keepsPlaces, known }: MapPlan,
+  ): Promise<Outcome<Comparison>> {
     return this.outcome(job, (set) => {
       const work = this.comparing.then(async () => {
         await this.jobs.turn(job);
-        set.begin(settings);
+        if (known !== null) set.recallPlaces(known);
+        set.begin(settings, keepsPlaces);
         await this.steps(job, () => set.step());
         this.made += 1;
         return set.comparison(settings);
@@ -76,6 +82,10 @@ export class ComparisonWorker implements ComparisonApi {
       this.comparing = work.catch(() => undefined);
       return work;
     });
+  }
+
+  arrivals(job: JobId): Promise<Outcome<MapPlaces>> {
+    return this.outcome(job, (set) => set.arrivals());
   }
 
   cut(job: JobId, clusters: number): Promise<Outcome<Cut>> {

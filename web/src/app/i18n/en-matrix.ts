@@ -63,6 +63,8 @@ export const englishMatrix = {
   'map.help':
     'Arrow keys go to the nearest clip in that direction, Enter chooses the first clip of the pair, Shift+Enter the second.',
   'map.point': '{0}, {1}, cluster {2}',
+  'map.point.arrived': '{0}, {1}, not compared yet',
   'map.cluster': 'cluster {0}',
+  'map.arrived': 'not compared yet',
   'map.legend': 'Labels',
 } satisfies Readonly<Record<string, Message>>;

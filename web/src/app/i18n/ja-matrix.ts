@@ -64,6 +64,8 @@ export const japaneseMatrix: Readonly<Record<keyof typeof englishMatrix, Message
   'map.help':
     '矢印キーでその方向の最も近いクリップへ、Enter で一つ目、Shift+Enter で二つ目のクリップを選びます。',
   'map.point': '{0}、{1}、クラスタ {2}',
+  'map.point.arrived': '{0}、{1}、まだ比較していません',
   'map.cluster': 'クラスタ {0}',
+  'map.arrived': 'まだ比較していません',
   'map.legend': 'ラベル',
 };
