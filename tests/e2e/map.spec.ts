@@ -27,13 +27,13 @@ async function openCompare(app: AppPage, page: Page, ...clips: string[]): Promis
 async function holdComparisons(page: Page): Promise<() => Promise<void>> {
   await page.addInitScript(() => {
     const held: (() => void)[] = [];
-    const send = Worker.prototype.postMessage;
     const holding = { now: false };
+    const original = Reflect.get(Worker.prototype, 'postMessage') as (...given: unknown[]) => void;
+    const send = (worker: Worker, given: unknown[]): void => Reflect.apply(original, worker, given);
     Worker.prototype.postMessage = function (this: Worker, ...given: unknown[]): void {
       const message = given[0] as { path?: string[] };
-      const go = (): void => (send as (...all: unknown[]) => void).apply(this, given);
-      if (holding.now && message.path?.[0] === 'compare') held.push(go);
-      else go();
+      if (holding.now && message.path?.[0] === 'compare') held.push(() => send(this, given));
+      else send(this, given);
     };
     Object.assign(window, {
       holdComparisons: (): void => void (holding.now = true),
