@@ -13,6 +13,7 @@ const FILES: &[(&str, &str, &[&str])] = &[
     ("cr_only_line_endings", "3 × 9", &[]),
     ("decimal_comma", "2 × 9", &["4 decimal-comma"]),
     ("exponents", "2 × 9", &[]),
+    ("exponents_of_many_digits", "2 × 9", &[]),
     ("frames_1_two_rows", "2 × 9", &["17 frame-count"]),
     (
         "frames_line_without_motion_line",

@@ -103,12 +103,10 @@ fn power(bytes: &[u8], start: usize) -> Option<(i64, usize)> {
     let sign = *bytes.get(start)?;
     let first = start + usize::from(matches!(sign, b'+' | b'-'));
     let (size, end) = digits(bytes, first, 0);
-    let power = if sign == b'-' {
-        -(size as i64)
-    } else {
-        size as i64
-    };
-    (1..=4).contains(&(end - first)).then_some((power, end))
+    // Of more digits the size may have wrapped round.
+    let is_short = (1..=4).contains(&(end - first));
+    let size = is_short.then_some(size as i64)?;
+    Some((if sign == b'-' { -size } else { size }, end))
 }
 
 /// What a word of a file is.
