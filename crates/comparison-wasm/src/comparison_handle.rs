@@ -366,16 +366,12 @@ impl ComparisonHandle {
     fn take(&mut self, run: Run) {
         let clips = run.clips;
         let mut comparison = run.run.finish();
-        let kept = match run.keeps_places {
-            true => self.places.kept(&clips),
-            false => None,
-        };
         let distance = comparison.settings.distance;
-        let lay_out = || {
-            let places = &mut self.places;
-            places.lay_out(distance, &comparison.map, &clips, &self.clips)
+        let (places, map) = (&mut self.places, comparison.map);
+        comparison.map = match run.keeps_places {
+            true => places.keep(map, &clips),
+            false => places.lay_out(distance, map, &clips, &self.clips),
         };
-        comparison.map = kept.unwrap_or_else(lay_out);
         self.one_nearest = None;
         self.picturing = None;
         self.compared = Some(Compared { comparison, clips });

@@ -41,15 +41,16 @@ impl Places {
         layout.is_some_and(|layout| layout.distance() == distance)
     }
 
-    /// The map of these clips with each where it lies; none without a layout, whose spread it has.
-    pub fn kept(&self, clips: &[NamedClip]) -> Option<Map> {
-        let layout = self.layout.as_ref()?;
-        let place = |clip: &NamedClip| self.of(clip).unwrap_or_else(|| layout.place(&clip.feature));
-        Some(Map {
-            places: clips.iter().map(place).collect(),
-            spread: layout.map().spread,
-            squares_from_middle: Vec::new(),
-        })
+    /// The map of these clips, with each where it lies.
+    pub fn keep(&self, map: Map, clips: &[NamedClip]) -> Map {
+        let Some(layout) = &self.layout else {
+            return map;
+        };
+        let place = |clip: &NamedClip| {
+            let lies = self.of(clip);
+            lies.unwrap_or_else(|| layout.place(&clip.feature))
+        };
+        map.with_places(clips.iter().map(place).collect())
     }
 
     /// A clip lay here on a map that was made elsewhere.
@@ -62,7 +63,7 @@ impl Places {
     pub fn lay_out(
         &mut self,
         distance: Distance,
-        map: &Map,
+        map: Map,
         clips: &[NamedClip],
         told: &[NamedClip],
     ) -> Map {
@@ -70,7 +71,7 @@ impl Places {
         let known: Vec<(usize, Place)> = items
             .filter_map(|(item, clip)| Some((item, self.of(clip)?)))
             .collect();
-        let map = map::procrustes(map, &known);
+        let map = map::procrustes(&map, &known);
         let places = clips.iter().zip(&map.places);
         self.of_clip = places.map(|(clip, place)| (clip.id, *place)).collect();
         let features = clips.iter().map(|clip| clip.feature.clone()).collect();

@@ -12,6 +12,8 @@ mod scaling;
 mod spectrum;
 mod tridiagonal;
 
+use alignment::{middle, minus};
+
 pub use alignment::procrustes;
 pub use placement::gower_place;
 pub use scaling::{of_matrix, of_vectors};
@@ -30,4 +32,51 @@ pub struct Map {
     pub spread: f64,
     /// The squared distance of each item from the middle of all, in all dimensions.
     pub squares_from_middle: Vec<f64>,
+}
+
+impl Map {
+    /// The same items at other places, one for each, with the part of the spread that is seen there.
+    #[must_use]
+    pub fn with_places(self, places: Vec<Place>) -> Self {
+        let middle = middle(&places);
+        let square = |place: &Place| {
+            let [x, y] = minus(*place, middle);
+            x * x + y * y
+        };
+        let add = |sum: f64, square: f64| sum + square;
+        let seen = places.iter().map(square).fold(0.0, add);
+        let all = self.squares_from_middle.iter().copied().fold(0.0, add);
+        Self {
+            places,
+            spread: if all > 0.0 {
+                (seen / all).min(1.0)
+            } else {
+                1.0
+            },
+            ..self
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn at_its_own_places_a_map_has_its_own_spread() {
+        let vector = |k: usize| {
+            let mut vector = [0.0; 12];
+            (vector[0], vector[4], vector[9]) =
+                (k as f64, (k * k % 7) as f64, (k * 5 % 11) as f64 / 8.0);
+            vector
+        };
+        let map = of_vectors(&(0..20).map(vector).collect::<Vec<_>>());
+        let same = map.clone().with_places(map.places.clone());
+        assert!(map.spread < 0.999 && (same.spread - map.spread).abs() < 1e-12);
+        let on_a_line = map.places.iter().map(|[x, _]| [*x, 3.0]).collect();
+        let line = map.clone().with_places(on_a_line);
+        assert!(line.spread < map.spread - 0.01);
+        let none = of_vectors(&[]).with_places(Vec::new());
+        assert_eq!(none.spread.to_bits(), 1.0_f64.to_bits());
+    }
 }
