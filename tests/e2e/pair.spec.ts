@@ -141,6 +141,51 @@ test('warped, each moment stands beside its like: the same walk at half the rate
   await expect.poll(async () => Math.abs((await times(page))[1] - 2 * a)).toBeGreaterThan(0.1);
 });
 
+/** Seconds of A between two places of its pins. */
+async function pinsApart(page: Page, first: number, second: number): Promise<number> {
+  const pin = (n: number) => page.locator('.pair-pins').nth(0).locator('.pin').nth(n);
+  const [a, b] = await Promise.all([pin(first).boundingBox(), pin(second).boundingBox()]);
+  return (b?.x ?? 0) - (a?.x ?? 0);
+}
+
+test('the rows are zoomed by wheel and keys and show the keyposes in view; both go along', async ({
+  app,
+  page,
+}) => {
+  await openPair(app, ...sampleFiles(walk, run));
+  await page.getByRole('button', { name: 'Start', exact: true }).click();
+  const all = app.button('Show both clips whole');
+  await expect(all).toBeDisabled();
+  const wide = await pinsApart(page, 0, 1);
+  await page.keyboard.press('z');
+  await expect.poll(() => pinsApart(page, 0, 1)).toBeCloseTo(2 * wide, 0);
+  // What was shown keeps its place.
+  const flags = page.locator('.pair-flag:not(.outside)');
+  await expect(flags).toHaveCount(2);
+  await page.keyboard.press('Shift+Z');
+  await expect.poll(() => pinsApart(page, 0, 1)).toBeCloseTo(wide, 0);
+  const box = (await page.locator('.pair-area').boundingBox())!;
+  await page.mouse.move(box.x + 0.6 * box.width, box.y + 110);
+  await page.keyboard.down('Control');
+  for (let i = 0; i < 6; i++) await page.mouse.wheel(0, -100);
+  await page.keyboard.up('Control');
+  await expect(all).toBeEnabled();
+  await expect(flags).toHaveCount(0);
+  const cards = page.locator('.pair-cards').nth(0).locator('.pair-card');
+  const shown = await cards.allInnerTexts();
+  expect(shown.length).toBeGreaterThan(0);
+  await page.keyboard.down('Shift');
+  for (let i = 0; i < 4; i++) await page.mouse.wheel(0, 100);
+  await page.keyboard.up('Shift');
+  await expect.poll(() => cards.allInnerTexts()).not.toEqual(shown);
+  // A key takes the view to where it leads.
+  await page.keyboard.press('Home');
+  await expect(flags).toHaveCount(2);
+  await page.keyboard.press('0');
+  await expect(all).toBeDisabled();
+  await expect.poll(() => pinsApart(page, 0, 1)).toBeCloseTo(wide, 0);
+});
+
 test('study and pair hand A’s moment to each other', async ({ app, page }) => {
   await app.openWith(...sampleFiles(walk, run));
   for (let i = 0; i < 6; i++) await page.keyboard.press('ArrowRight');

@@ -1,51 +1,82 @@
 /** How far A is ahead along a warping path, B's axis in; the outlines of the row out: pure geometry. */
 import type { Warping } from '../engine/comparison-types';
 import type { Axis } from '../timeline/axis';
+import { within } from '../timeline/sorted';
 import { rows } from './rows-layout';
 
 export interface AheadOutline {
   /** SVG path data of the areas where A is ahead, and where B is. */
   readonly a: string;
   readonly b: string;
-  /** The most that either is ahead, 0 to 1. */
-  readonly most: number;
+  /** What the full height of either side stands for, 0 to 1. */
+  readonly scale: number;
+  /** Where "A" and "B" end so that the areas leave them free, in pixels. */
+  readonly labelEnds: readonly [number, number];
 }
 
-const HEADROOM = 1.1;
+/** Leads that are smaller do not fill the row: nobody would call them leads. */
+const LEAST_SCALE = 0.05;
 const AIR = 4;
+const REACH = rows.ahead.height / 2 - AIR;
+/** The room of a label, and the air between it and the edge, in pixels. */
+const LABEL = { width: 52, height: 13, edge: 4 };
 
 export const AHEAD_MIDDLE = rows.ahead.top + rows.ahead.height / 2;
 
-export function aheadOutline({ pathB, ahead }: Warping, axis: Axis): AheadOutline {
-  const { x, value } = byPixel(pathB, ahead, axis);
-  const most = value.reduce((largest, one) => Math.max(largest, Math.abs(one)), 0);
-  const reach = most > 0 ? (rows.ahead.height / 2 - AIR) / (most * HEADROOM) : 0;
-  const area = (sign: 1 | -1): string => {
-    if (x.length === 0) return '';
-    const points = x.map((at, i) => {
-      const up = Math.max(0, value[i] * sign) * sign * reach;
-      return `L${round(at)} ${round(AHEAD_MIDDLE - up)}`;
-    });
-    return `M${round(x[0])} ${AHEAD_MIDDLE}${points.join('')}L${round(x[x.length - 1])} ${AHEAD_MIDDLE}Z`;
-  };
-  return { a: area(1), b: area(-1), most };
+interface Points {
+  readonly x: readonly number[];
+  /** Pixels above the middle. */
+  readonly up: readonly number[];
 }
 
-/** Of the steps that share half a pixel the one farthest from even. */
-function byPixel(pathB: Int32Array, ahead: Float64Array, axis: Axis) {
+export function aheadOutline({ pathB, ahead }: Warping, axis: Axis): AheadOutline {
+  const most = ahead.reduce((largest, one) => Math.max(largest, Math.abs(one)), LEAST_SCALE);
+  const scale = Math.ceil(100 * most - 1e-9) / 100;
+  const points = byPixel(pathB, ahead, axis, REACH / scale);
+  return {
+    a: area(points, 1),
+    b: area(points, -1),
+    scale,
+    labelEnds: [clearEnd(points, 1, axis.width), clearEnd(points, -1, axis.width)],
+  };
+}
+
+function area({ x, up }: Points, sign: 1 | -1): string {
+  if (x.length === 0) return '';
+  const line = x.map((at, i) => {
+    const height = Math.max(0, up[i] * sign) * sign;
+    return `L${round(at)} ${round(AHEAD_MIDDLE - height)}`;
+  });
+  return `M${round(x[0])} ${AHEAD_MIDDLE}${line.join('')}L${round(x[x.length - 1])} ${AHEAD_MIDDLE}Z`;
+}
+
+/** The rightmost place where an area stays below a label; at the right edge where there is none. */
+function clearEnd({ x, up }: Points, sign: 1 | -1, width: number): number {
+  const right = width - LABEL.edge;
+  let end = right;
+  for (let i = x.length - 1; i >= 0 && x[i] > end - LABEL.width; i--) {
+    const isHigh = up[i] * sign > REACH + AIR - LABEL.height;
+    if (isHigh && x[i] < end + LABEL.edge) end = x[i] - LABEL.edge;
+  }
+  return end - LABEL.width < 0 ? right : end;
+}
+
+/** Of the steps in view that share half a pixel the one farthest from even. */
+function byPixel(pathB: Int32Array, ahead: Float64Array, axis: Axis, reach: number): Points {
   const x: number[] = [];
-  const value: number[] = [];
-  for (let step = 0; step < pathB.length; step++) {
-    const at = axis.x(pathB[step]);
+  const up: number[] = [];
+  const { from, to } = within(pathB, axis.placeAt(0), axis.placeAt(axis.width));
+  for (let step = Math.max(0, from - 1); step < Math.min(pathB.length, to + 1); step++) {
+    const [at, height] = [axis.x(pathB[step]), ahead[step] * reach];
     const last = x.length - 1;
     if (last >= 0 && at - x[last] < 0.5) {
-      if (Math.abs(ahead[step]) > Math.abs(value[last])) value[last] = ahead[step];
+      if (Math.abs(height) > Math.abs(up[last])) up[last] = height;
     } else {
       x.push(at);
-      value.push(ahead[step]);
+      up.push(height);
     }
   }
-  return { x, value };
+  return { x, up };
 }
 
 const round = (value: number): number => Math.round(value * 100) / 100;

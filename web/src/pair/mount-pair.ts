@@ -121,12 +121,14 @@ function mountTransport(place: HTMLElement, { language }: Context, state: PairSt
       atEnd: moment.pairS >= state.alignment.value.durationS,
       hasEarlierKeypose: (a?.keyposes[0] ?? Infinity) < (moment.frames[0] ?? 0),
       hasLaterKeypose: (a?.keyposes.at(-1) ?? -1) > (moment.frames[0] ?? 0),
+      zooms: state.rows.zooms.value,
       onPlay: () => clock.toggle(),
       onStep: (direction) => clock.step(direction),
       onKeypose: (direction) => clock.keypose(0, a?.keyposes ?? new Int32Array(), direction),
       onSpeed: (speed) => clock.setSpeed(speed),
       onLoop: () => clock.toggleLoop(),
       onLoopClear: () => clock.clearLoop(),
+      onZoom: (way) => state.rows.zoom(way),
     });
   });
 }

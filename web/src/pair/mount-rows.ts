@@ -14,11 +14,12 @@ import { aheadOutline } from './ahead';
 import { differenceShades } from './difference';
 import { drawDifference } from './difference-canvas';
 import type { PairClip } from './pair-clips';
-import { pairGraph, type GraphClip } from './pair-graph';
+import { pairGraph, ribbonTimes, type GraphClip } from './pair-graph';
 import { PairPlayhead } from './pair-playhead';
 import type { PairState } from './pair-state';
 import { PairStrip } from './pair-strip';
 import { keyposeLines, matchingLines } from './ribbon';
+import { besideFlag, ribbonLabels, ribbonTicks } from './ribbon-labels';
 import { rowLabels } from './row-labels';
 import { alignmentText, speedAt, warpingText } from './row-words';
 import { axesOf, rows, ROWS_HEIGHT, type RowPlace } from './rows-layout';
@@ -47,7 +48,7 @@ export function mountRows(place: HTMLElement, context: Context, state: PairState
   const two = computed((): Two | null => {
     const [a, b] = state.clips.value;
     if (!a || !b || width.value === 0) return null;
-    const [axisA, axisB] = axesOf([a, b], width.value);
+    const [axisA, axisB] = axesOf([a, b], width.value, state.rows.span.value);
     return { a, b, axes: [axisA, axisB] };
   });
   follow(() => {
@@ -55,6 +56,7 @@ export function mountRows(place: HTMLElement, context: Context, state: PairState
   });
   showLabels(gutter, context, state);
   showGraph(area, context, state, two);
+  showTimes(area, context, state, two);
   showDifference(area, context, state, two);
   for (const clip of [0, 1] as const) {
     showStrip(area, clip, context, state, two);
@@ -105,9 +107,30 @@ function showGraph(area: HTMLElement, context: Context, state: PairState, two: T
       lines: matchingLines(alignment, ribbonA, ribbonB),
       keyposeLines: keyposeLines(alignment, a.keyposes, ribbonA, ribbonB),
       ahead,
-      aheadText: [t('pair.ahead.most', format.integer(Math.round(100 * (ahead?.most ?? 0)))), 'B'],
-      withUnit: (seconds) => t('unit.seconds', seconds),
+      aheadText: [t('pair.ahead.most', format.integer(100 * (ahead?.scale ?? 0))), 'B'],
     });
+  });
+}
+
+/** The times at the ribbon's edges; those under a flag of the playhead give way. */
+function showTimes(area: HTMLElement, { language }: Context, state: PairState, two: TwoSignal) {
+  const place = element('div', 'pair-graph-place');
+  area.append(place);
+  const labels = computed(() => {
+    const { t } = language.words.value;
+    const shown = two.value;
+    return [shown?.a, shown?.b].map((clip, i) => {
+      if (!shown || !clip) return [];
+      const ticks = ribbonTicks(shown.axes[i], clip.frameTimeS);
+      return ribbonLabels(ticks, shown.axes[i].width, (seconds) => t('unit.seconds', seconds));
+    });
+  });
+  mount(place, () => {
+    const shown = two.value;
+    if (!shown) return html``;
+    const { frames } = state.moment.value;
+    const [a, b] = labels.value.map((all, i) => besideFlag(all, shown.axes[i].x(frames[i] ?? 0)));
+    return ribbonTimes(shown.axes[0].width, [a, b]);
   });
 }
 
@@ -115,8 +138,7 @@ function speeds({ a, b, axes }: Two): readonly [GraphClip, GraphClip] {
   const results = [a.performer.keyposes, b.performer.keyposes];
   const maximum = Math.max(...results.map((result) => result?.maximumSpeed ?? 0));
   const graph = ({ frameTimeS }: PairClip, i: 0 | 1, row: RowPlace): GraphClip => ({
-    axis: axes[i],
-    frameTimeS,
+    ticks: ribbonTicks(axes[i], frameTimeS).ticks,
     speed: results[i] && speedOutline(results[i], axes[i], row, maximum),
   });
   return [graph(a, 0, rows.speedA), graph(b, 1, rows.speedB)];
@@ -202,7 +224,11 @@ function showPins(
 ): void {
   const place = placeAt(area, 'pair-pins', [rows.pinsA, rows.pinsB][clip]);
   const pick = (keypose: number): void => state.pickKeypose(clip, keypose);
-  const pins = new PinRow({ onPick: pick, onOpen: pick });
+  const open = (first: number, last: number): void => {
+    const { keyposes } = state.clips.peek()[clip];
+    state.rows.open(clip, keyposes[first], keyposes[last]);
+  };
+  const pins = new PinRow({ onPick: pick, onOpen: open });
   place.append(pins.element);
   const text = computed(() => {
     const words = language.words.value;

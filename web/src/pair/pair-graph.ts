@@ -1,14 +1,13 @@
 /** Paths and ticks in; the drawn rows out: speeds, the ribbon between them, who is ahead. */
 import { nothing, svg, type TemplateResult } from 'lit-html';
-import type { Axis } from '../timeline/axis';
-import { clockTime, divisionOf, rulerTicks } from '../timeline/ruler-layout';
+import type { Tick } from '../timeline/ruler-layout';
 import { AHEAD_MIDDLE, type AheadOutline } from './ahead';
+import type { RibbonLabel } from './ribbon-labels';
 import { rows, ROWS_HEIGHT, type RowPlace } from './rows-layout';
 import type { SpeedOutline } from './speed-outline';
 
 export interface GraphClip {
-  readonly axis: Axis;
-  readonly frameTimeS: number;
+  readonly ticks: readonly Tick[];
   /** null without an analysis. */
   readonly speed: SpeedOutline | null;
 }
@@ -23,8 +22,11 @@ export interface PairGraphProps {
   readonly ahead: AheadOutline | null;
   /** "A +5 %" and "B". */
   readonly aheadText: readonly [string, string];
-  /** "2 s" of "2". */
-  readonly withUnit: (seconds: string) => string;
+}
+
+interface Edge {
+  readonly y: number;
+  readonly inward: 1 | -1;
 }
 
 const TICK = 3;
@@ -35,24 +37,12 @@ const speedRow = ({ speed }: GraphClip, who: 'a' | 'b') =>
   svg`<path class="pair-speed-area ${who}" d=${speed.area} />
     <path class="pair-speed-line ${who}" d=${speed.line} />`;
 
-function ticks(
-  { axis, frameTimeS }: GraphClip,
-  withUnit: PairGraphProps['withUnit'],
-  edge: { readonly y: number; readonly inward: 1 | -1 },
-): TemplateResult {
-  const division = divisionOf(axis, frameTimeS);
-  const all = rulerTicks(axis, frameTimeS, division);
-  const path = all.map(({ x, size }) => {
-    const length = edge.inward * (size === 'minor' ? TICK : MAJOR_TICK);
-    return `M${x.toFixed(1)} ${edge.y}v${length}`;
-  });
-  const labelled = all.filter(({ size, timeS }) => size === 'major' && timeS > 0);
-  const y = edge.y + (edge.inward > 0 ? 11 : -3);
-  return svg`<path class="pair-ticks" d=${path.join('')} />
-    ${labelled.map(
-      ({ x, timeS }) =>
-        svg`<text class="pair-time-label" x=${x + 4} y=${y}>${withUnit(clockTime(timeS, division.digits))}</text>`,
-    )}`;
+/** Ticks on an edge of the ribbon, into it. */
+function ticks({ ticks: all }: GraphClip, { y, inward }: Edge): TemplateResult {
+  const path = all.map(
+    ({ x, size }) => `M${x.toFixed(1)} ${y}v${inward * (size === 'minor' ? TICK : MAJOR_TICK)}`,
+  );
+  return svg`<path class="pair-ticks" d=${path.join('')} />`;
 }
 
 function aheadRow({ ahead, aheadText: [a, b], width }: PairGraphProps) {
@@ -61,24 +51,40 @@ function aheadRow({ ahead, aheadText: [a, b], width }: PairGraphProps) {
   return svg`<path class="pair-ahead a" d=${ahead.a} />
     <path class="pair-ahead b" d=${ahead.b} />
     <path class="pair-even" d="M0 ${AHEAD_MIDDLE}H${width}" />
-    <text class="pair-time-label end" x=${width - 4} y=${top + 13}>${a}</text>
-    <text class="pair-time-label end" x=${width - 4} y=${top + height - 5}>${b}</text>`;
+    <text class="pair-time-label end" x=${ahead.labelEnds[0]} y=${top + 13}>${a}</text>
+    <text class="pair-time-label end" x=${ahead.labelEnds[1]} y=${top + height - 5}>${b}</text>`;
 }
 
 const rule = ({ top }: RowPlace, width: number) =>
   svg`<path class="pair-rule" d="M0 ${top - 0.5}H${width}" />`;
 
 export function pairGraph(props: PairGraphProps): TemplateResult {
-  const { width, a, b, lines, keyposeLines, withUnit } = props;
+  const { width, a, b, lines, keyposeLines } = props;
   const { ribbon } = rows;
   return svg`<svg class="pair-graph" width=${width} height=${ROWS_HEIGHT} aria-hidden="true">
     <rect class="pair-ribbon" x="0" y=${ribbon.top} width=${width} height=${ribbon.height} />
     ${speedRow(a, 'a')}${speedRow(b, 'b')}
-    ${ticks(a, withUnit, { y: ribbon.top, inward: 1 })}
-    ${ticks(b, withUnit, { y: ribbon.top + ribbon.height, inward: -1 })}
+    ${ticks(a, { y: ribbon.top, inward: 1 })}
+    ${ticks(b, { y: ribbon.top + ribbon.height, inward: -1 })}
     <path class="pair-lines" d=${lines} />
     <path class="pair-keypose-lines" d=${keyposeLines} />
     ${rule(rows.ahead, width)}${rule(rows.parts, width)}
     ${aheadRow(props)}
+  </svg>`;
+}
+
+/** The times at the edges of the ribbon, over its lines. */
+export function ribbonTimes(
+  width: number,
+  labels: readonly [readonly RibbonLabel[], readonly RibbonLabel[]],
+): TemplateResult {
+  const { top, height } = rows.ribbon;
+  const y = [top + 11, top + height - 4];
+  return svg`<svg class="pair-graph" width=${width} height=${ROWS_HEIGHT} aria-hidden="true">
+    ${labels.map((all, clip) =>
+      all.map(
+        ({ x, text }) => svg`<text class="pair-time-label" x=${x} y=${y[clip]}>${text}</text>`,
+      ),
+    )}
   </svg>`;
 }

@@ -24,6 +24,9 @@ export function pairKeys(state: PairState): (command: KeyCommand) => void {
     'loop-start': () => clock.loopEnd('a'),
     'loop-end': () => clock.loopEnd('b'),
     'loop-clear': () => clock.clearLoop(),
+    'zoom-in': () => state.rows.zoom('in'),
+    'zoom-out': () => state.rows.zoom('out'),
+    'zoom-all': () => state.rows.zoom('all'),
   };
   return (command) => commands[command]?.();
 }

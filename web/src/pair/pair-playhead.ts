@@ -59,6 +59,7 @@ class Flag {
   }
 
   show(x: number, text: string, width: number): void {
+    this.element.classList.toggle('outside', x < 0 || x > width);
     const left = Math.max(0, Math.min(x - FLAG_WIDTH / 2, width - FLAG_WIDTH));
     this.element.setAttribute('transform', `translate(${left} ${this.y})`);
     if (this.text.textContent !== text) this.text.textContent = text;

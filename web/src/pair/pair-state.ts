@@ -1,5 +1,6 @@
 /** The store in; all that the views of the pair page read out: clips, their one time, what stands at it. */
 import { computed, effect, signal, type ReadonlySignal, type Signal } from '@preact/signals-core';
+import type { CompareStore } from '../app/compare-store';
 import type { Context } from '../app/context';
 import type { Warping } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
@@ -9,6 +10,7 @@ import { alignedAt, alignedByPaths, alignedByStart, type Alignment } from './ali
 import { startOfA } from './opening';
 import { PairClock, type PairMoment } from './pair-clock';
 import { followPairClips, type PairClip } from './pair-clips';
+import { createRowsView, type RowsView } from './rows-view';
 import { followWarpings } from './warpings';
 
 /** A frame of a clip of the page. */
@@ -30,6 +32,8 @@ export interface PairState {
   readonly currentKeyposes: ReadonlySignal<readonly (number | null)[]>;
   /** Of each clip, the keypose at which all meet when synchronised by keypose. */
   readonly meeting: ReadonlySignal<readonly number[]>;
+  /** What the rows show. */
+  readonly rows: RowsView;
   /** The moment under the pointer. */
   readonly hovered: Signal<ClipMoment | null>;
   /** The keyposes at which the clips are now become those at which they meet. */
@@ -56,14 +60,7 @@ export function createPairState(context: Context): PairState {
     computed(() => ({ clips: clips.value, mirrorB: mirrorB.value })),
   );
   const met = createMeeting(clips);
-  const alignment = computed(() => {
-    const shown = clips.value;
-    if (synchronisation.value === 'start') return alignedByStart(shown);
-    if (synchronisation.value === 'keypose')
-      return alignedAt(shown, meetingTimes(shown, met.keyposes.value));
-    const paths = shown.map(({ id }) => warpings.found.value.get(id) ?? null);
-    return alignedByPaths(shown, paths);
-  });
+  const alignment = followAlignment(store.compare, clips, met.keyposes, warpings.found);
   const { clock, moment } = runClock(context, clips, alignment);
   const currentKeyposes = computed(() =>
     clips.value.map(({ keyposes }, i) => nearestIndex(keyposes, moment.value.frames[i] ?? 0)),
@@ -78,6 +75,7 @@ export function createPairState(context: Context): PairState {
     warpFailure: warpings.failure,
     currentKeyposes,
     meeting: met.keyposes,
+    rows: createRowsView({ clips, moment, alignment }),
     hovered: signal<ClipMoment | null>(null),
     meetHere: () => met.set(currentKeyposes.peek()),
     pickKeypose: (clip, keypose) => {
@@ -86,6 +84,24 @@ export function createPairState(context: Context): PairState {
       clock.seek(clip, clips.peek()[clip]?.keyposes[keypose] ?? 0);
     },
   };
+}
+
+function followAlignment(
+  { synchronisation }: Pick<CompareStore, 'synchronisation'>,
+  clips: ReadonlySignal<readonly PairClip[]>,
+  meeting: ReadonlySignal<readonly number[]>,
+  warpings: ReadonlySignal<ReadonlyMap<ClipId, Warping>>,
+): ReadonlySignal<Alignment> {
+  return computed(() => {
+    const shown = clips.value;
+    if (synchronisation.value === 'start') return alignedByStart(shown);
+    if (synchronisation.value === 'keypose')
+      return alignedAt(shown, meetingTimes(shown, meeting.value));
+    return alignedByPaths(
+      shown,
+      shown.map(({ id }) => warpings.value.get(id) ?? null),
+    );
+  });
 }
 
 /** The keyposes at which the clips meet, kept by clip; at first the first ones. */

@@ -12,6 +12,7 @@ import {
   stripScale,
 } from '../strip/strip-layout';
 import type { Axis } from '../timeline/axis';
+import { within } from '../timeline/sorted';
 
 export interface PairStripProps {
   readonly axis: Axis;
@@ -81,12 +82,13 @@ export class PairStrip {
     this.root.setAttribute('aria-label', props.label);
     const { axis, keyposes, current, frameTimeS, performer } = props;
     const lastS = (keyposes.at(-1) ?? 0) * frameTimeS;
+    const shown = within(keyposes, axis.span.first, axis.span.last);
     const { cards, cardWidth } = layoutStrip(
       Array.from(keyposes, (frame) => axis.x(frame)),
       intensitiesOf(performer),
       {
-        first: 0,
-        end: keyposes.length,
+        first: shown.from,
+        end: shown.to,
         kept: current,
         width: axis.width,
         leastCard: Math.max(SMALLEST_CARD, leastLabelWidth(keyposes.length, lastS)),

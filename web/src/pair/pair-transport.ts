@@ -1,7 +1,8 @@
 /** The one time of the pair in; what moves it, and the times of A and B, out. */
 import { html, type TemplateResult } from 'lit-html';
 import type { Words } from '../app/i18n/catalogue';
-import { loopControl, movers, speedMenu } from '../transport/time-controls';
+import { loopControl, movers, speedMenu, zoomButtons } from '../transport/time-controls';
+import type { Zoom } from '../transport/zooming';
 import type { PairMoment } from './pair-clock';
 
 export interface PairTransportProps {
@@ -13,12 +14,15 @@ export interface PairTransportProps {
   readonly atEnd: boolean;
   readonly hasEarlierKeypose: boolean;
   readonly hasLaterKeypose: boolean;
+  /** The ways in which the zoom of the rows can still go. */
+  readonly zooms: Readonly<Record<Zoom, boolean>>;
   readonly onPlay: () => void;
   readonly onStep: (direction: 1 | -1) => void;
   readonly onKeypose: (direction: 1 | -1) => void;
   readonly onSpeed: (speed: number) => void;
   readonly onLoop: () => void;
   readonly onLoopClear: () => void;
+  readonly onZoom: (way: Zoom) => void;
 }
 
 function times({ words: { t, format }, timesS }: PairTransportProps): TemplateResult {
@@ -43,7 +47,8 @@ export function pairTransport(props: PairTransportProps): TemplateResult {
       ${speedMenu({ id: 'pair-speed-menu', words, speed, onSpeed })}
       ${loopControl({ ...props, looping, rangeS })}
     </div>
-    <div class="transport-view pair-legend">
+    <div class="transport-view">${zoomButtons({ ...props, all: words.t('pair.zoom-all') })}</div>
+    <div class="pair-legend">
       <span>${words.t('pair.difference')}</span><span class="pair-legend-bar"></span>
     </div>
   `;

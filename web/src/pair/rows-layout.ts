@@ -2,6 +2,7 @@
 import { bodyParts } from '../engine/types';
 import { Axis } from '../timeline/axis';
 import type { ClipLength } from './alignment';
+import { groundOf, wholeRows, type RowsSpan } from './rows-span';
 
 export interface RowPlace {
   readonly top: number;
@@ -42,12 +43,16 @@ export function partRow(part: number): RowPlace {
   return { top: rows.parts.top + PARTS_AIR + part * PART_HEIGHT, height: PART_HEIGHT - 2 };
 }
 
-/** A second is as wide in all of them; the longest fills the width. */
-export function axesOf(clips: readonly ClipLength[], width: number): Axis[] {
-  const longestS = Math.max(...clips.map((clip) => (clip.frames - 1) * clip.frameTimeS), 0);
-  return clips.map(({ frames, frameTimeS }) => {
-    const last = Math.max(longestS / frameTimeS, 1);
-    return new Axis(width, Math.max(0, frames - 1), { first: 0, last });
+/** A second is as wide in both; where all is shown, the longer one fills the width. */
+export function axesOf(
+  clips: readonly ClipLength[],
+  width: number,
+  span: RowsSpan | null = null,
+): Axis[] {
+  const { lengthS, firstS } = span ?? wholeRows(groundOf(clips));
+  return clips.slice(0, 2).map(({ frames, frameTimeS }, clip) => {
+    const first = firstS[clip] / frameTimeS;
+    return new Axis(width, frames - 1, { first, last: first + lengthS / frameTimeS });
   });
 }
 

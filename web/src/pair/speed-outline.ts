@@ -22,8 +22,7 @@ export function speedOutline(
   row: RowPlace,
   maximum: number,
 ): SpeedOutline {
-  const series = new Extremes(speed);
-  series.build(Infinity);
+  const series = extremesOf(speed);
   const { x, minimum, maximum: largest } = curveOf(series, firstFrame, axis);
   const base = row.top + row.height - FOOT;
   const reach = maximum > 0 ? (row.height - AIR) / (maximum * HEADROOM) : 0;
@@ -38,6 +37,18 @@ export function speedOutline(
     line: `M${line.join('L')}`,
     area: `M${px(x[0])} ${base}L${upper.join('L')}L${px(x[x.length - 1])} ${base}Z`,
   };
+}
+
+/** Of a clip of an hour they take as long as all the rest. */
+const known = new WeakMap<Float64Array, Extremes>();
+
+function extremesOf(speed: Float64Array): Extremes {
+  const found = known.get(speed);
+  if (found) return found;
+  const series = new Extremes(speed);
+  series.build(Infinity);
+  known.set(speed, series);
+  return series;
 }
 
 const px = (value: number): string => String(Math.round(value * 100) / 100);

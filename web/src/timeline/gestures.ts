@@ -4,7 +4,9 @@
  */
 import type { LoopRange } from '../player/clock';
 import type { Axis, AxisSpan } from './axis';
-import { fitted, panned, zoomed } from './zoom';
+import { Touches } from './touches';
+import { turnOf } from './wheel';
+import { panned, zoomed } from './zoom';
 
 export interface GestureEvents {
   onSeek(frame: number): void;
@@ -25,10 +27,6 @@ export interface GestureGround {
 
 /** A press that moves less than this is no drag, in pixels. */
 const DRAG_START = 4;
-const ZOOM_PER_PIXEL = 0.003;
-const LINE_HEIGHT = 16;
-/** A wheel that says pages. */
-const PAGE_HEIGHT = 400;
 
 interface Place {
   readonly x: number;
@@ -43,7 +41,7 @@ interface Press extends Place {
 
 export class Gestures {
   private press: Press | null = null;
-  private readonly touches = new Map<number, Place>();
+  private readonly touches = new Touches();
 
   constructor(
     private readonly area: HTMLElement,
@@ -69,8 +67,8 @@ export class Gestures {
     const axis = this.ground.axis();
     this.area.setPointerCapture(event.pointerId);
     this.events.onHover(null);
-    if (event.pointerType === 'touch') this.touches.set(event.pointerId, place);
-    if (this.touches.size > 1) {
+    if (event.pointerType === 'touch') this.touches.put(event.pointerId, place.x);
+    if (this.touches.count > 1) {
       this.press = null;
       return;
     }
@@ -83,8 +81,8 @@ export class Gestures {
 
   private move(event: PointerEvent): void {
     const place = this.placeOf(event);
-    if (this.touches.size > 1) return this.pinch(event.pointerId, place);
-    if (this.touches.has(event.pointerId)) this.touches.set(event.pointerId, place);
+    if (this.touches.count > 1) return this.pinch(event.pointerId, place);
+    if (this.touches.has(event.pointerId)) this.touches.put(event.pointerId, place.x);
     if (this.press === null) return this.hover(event, place);
     this.press.dragged ||= Math.abs(place.x - this.press.x) >= DRAG_START;
     if (this.press.dragged) this.drag(this.press, place.x);
@@ -98,7 +96,7 @@ export class Gestures {
   }
 
   private up(event: PointerEvent): void {
-    this.touches.delete(event.pointerId);
+    this.touches.lift(event.pointerId);
     const { press } = this;
     this.press = null;
     if (press?.kind === 'range' && !press.dragged && event.type === 'lostpointercapture')
@@ -112,35 +110,22 @@ export class Gestures {
   }
 
   /** Both fingers keep the frames that they touch. */
-  private pinch(id: number, place: Place): void {
-    const other = [...this.touches].find(([touch]) => touch !== id)?.[1];
-    const before = this.touches.get(id);
-    if (other === undefined || before === undefined) return;
-    this.touches.set(id, place);
+  private pinch(id: number, { x }: Place): void {
     const axis = this.ground.axis();
-    const [still, moved] = [axis.placeAt(other.x), axis.placeAt(before.x)];
-    if (Math.abs(place.x - other.x) < 1 || still === moved) return;
-    const scale = (moved - still) / (place.x - other.x);
-    if (scale <= 0) return;
-    const first = still - (other.x - axis.x(axis.span.first)) * scale;
-    const length = (axis.x(axis.span.last) - axis.x(axis.span.first)) * scale;
-    this.events.onZoom(fitted({ first, last: first + length }, axis.lastFrame));
+    const spread = this.touches.move(id, x);
+    if (!spread) return;
+    const about = axis.placeAt(spread.about);
+    this.events.onZoom(zoomed(axis.span, axis.lastFrame, spread.factor, about));
   }
 
-  /** With Ctrl (which a pinch on a touchpad sets too) or Meta it zooms, sideways or with Shift it pans. */
   private turn(event: WheelEvent): void {
     const axis = this.ground.axis();
-    const unit = [1, LINE_HEIGHT, PAGE_HEIGHT][event.deltaMode] ?? 1;
-    if (event.ctrlKey || event.metaKey) {
-      event.preventDefault();
-      const factor = Math.exp(-event.deltaY * unit * ZOOM_PER_PIXEL);
-      const about = this.ground.frameAt(this.placeOf(event).x, event.target);
-      this.events.onZoom(zoomed(axis.span, axis.lastFrame, factor, about));
-      return;
-    }
-    const sideways = event.shiftKey && event.deltaX === 0 ? event.deltaY : event.deltaX;
-    if (!event.shiftKey && Math.abs(sideways) <= Math.abs(event.deltaY)) return;
+    const turn = turnOf(event);
+    if (turn === null) return;
     event.preventDefault();
-    this.events.onZoom(panned(axis.span, axis.lastFrame, (sideways * unit) / axis.scale));
+    if ('pan' in turn)
+      return this.events.onZoom(panned(axis.span, axis.lastFrame, turn.pan / axis.scale));
+    const about = this.ground.frameAt(this.placeOf(event).x, event.target);
+    this.events.onZoom(zoomed(axis.span, axis.lastFrame, turn.factor, about));
   }
 }

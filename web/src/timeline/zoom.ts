@@ -61,6 +61,11 @@ export function revealed(span: AxisSpan, lastFrame: number, frame: number): Axis
 /** The next page during playback: once a frame has left the span, it stands near its beginning. */
 export function paged(span: AxisSpan, lastFrame: number, frame: number): AxisSpan | null {
   if (frame >= span.first && frame <= span.last) return fitted(span, lastFrame);
+  return pageFrom(span, lastFrame, frame);
+}
+
+/** The page near whose beginning a frame stands. */
+export function pageFrom(span: AxisSpan, lastFrame: number, frame: number): AxisSpan | null {
   const air = MARGIN * (span.last - span.first);
   return panned(span, lastFrame, frame - air - span.first);
 }

@@ -5,6 +5,7 @@ import { iconButton, type IconButton } from '../common/buttons';
 import { icon } from '../common/icons';
 import { menuButton } from '../common/menu';
 import { SPEED_STEPS } from '../player/clock';
+import type { Zoom } from './zooming';
 
 export interface MoverProps {
   readonly words: Words;
@@ -112,4 +113,23 @@ export function loopControl(props: LoopProps): TemplateResult {
           })
         : nothing
     }`;
+}
+
+export interface ZoomProps {
+  readonly words: Words;
+  /** The ways in which the zoom can still go. */
+  readonly zooms: Readonly<Record<Zoom, boolean>>;
+  /** What showing all is called. */
+  readonly all: string;
+  readonly onZoom: (way: Zoom) => void;
+}
+
+export function zoomButtons({ words: { t }, zooms, all, onZoom }: ZoomProps): TemplateResult {
+  const button = (way: Zoom, values: Omit<IconButton, 'disabled' | 'onPress'>): TemplateResult =>
+    iconButton({ ...values, disabled: !zooms[way], onPress: () => onZoom(way) });
+  return html`
+    ${button('out', { name: 'zoom-out', label: t('transport.zoom-out'), keys: 'Shift+Z', keyText: `${t('key.shift')} Z` })}
+    ${button('in', { name: 'zoom-in', label: t('transport.zoom-in'), keys: 'Z', keyText: 'Z' })}
+    ${button('all', { name: 'unfold-horizontal', label: all, keys: '0', keyText: '0' })}
+  `;
 }

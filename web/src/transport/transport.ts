@@ -2,8 +2,8 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Words } from '../app/i18n/catalogue';
 import type { PlaybackState } from '../app/store';
-import { iconButton, type IconButton } from '../common/buttons';
-import { loopControl, movers, speedMenu, type LoopProps } from './time-controls';
+import { iconButton } from '../common/buttons';
+import { loopControl, movers, speedMenu, zoomButtons, type LoopProps } from './time-controls';
 import type { Zoom } from './zooming';
 
 export interface TransportProps {
@@ -43,19 +43,11 @@ function clockFigures({
   </div>`;
 }
 
-function viewButtons({
-  words: { t },
-  zooms,
-  picture,
-  onZoom,
-  onPicture,
-}: TransportProps): TemplateResult {
-  const button = (way: Zoom, values: Omit<IconButton, 'disabled' | 'onPress'>): TemplateResult =>
-    iconButton({ ...values, disabled: !zooms[way], onPress: () => onZoom(way) });
+function viewButtons(props: TransportProps): TemplateResult {
+  const { t } = props.words;
+  const { picture, onPicture } = props;
   return html`
-    ${button('out', { name: 'zoom-out', label: t('transport.zoom-out'), keys: 'Shift+Z', keyText: `${t('key.shift')} Z` })}
-    ${button('in', { name: 'zoom-in', label: t('transport.zoom-in'), keys: 'Z', keyText: 'Z' })}
-    ${button('all', { name: 'unfold-horizontal', label: t('transport.zoom-all'), keys: '0', keyText: '0' })}
+    ${zoomButtons({ ...props, all: t('transport.zoom-all') })}
     ${picture ? iconButton({ name: 'image', label: t('transport.picture'), onPress: onPicture }) : nothing}
   `;
 }

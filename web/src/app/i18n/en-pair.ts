@@ -34,6 +34,7 @@ export const englishPair = {
   'pair.performer': 'Clip {0}: {1}',
   'pair.transport': 'Playback of the pair',
   'pair.seconds-of': 's of {0}',
+  'pair.zoom-all': 'Show both clips whole',
   'pair.difference': 'Difference',
   'pair.difference.label':
     'Differences of left arm, right arm, left leg, right leg and head along the time of B',

@@ -35,6 +35,7 @@ export const japanesePair: Readonly<Record<keyof typeof englishPair, Message>> =
   'pair.performer': 'クリップ {0}：{1}',
   'pair.transport': '再生（二つ同時）',
   'pair.seconds-of': '秒（{0}）',
+  'pair.zoom-all': '両方の全体を表示',
   'pair.difference': '違い',
   'pair.difference.label': 'B の時間に沿った左腕・右腕・左脚・右脚・頭の違い',
   'pair.alignment': '対応',

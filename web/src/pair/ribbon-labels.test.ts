@@ -1,0 +1,25 @@
+import { expect, it } from 'vitest';
+import { Axis } from '../timeline/axis';
+import { besideFlag, ribbonLabels, ribbonTicks } from './ribbon-labels';
+
+const withUnit = (seconds: string): string => `${seconds} s`;
+const labelsOf = (axis: Axis, frameTimeS: number) =>
+  ribbonLabels(ribbonTicks(axis, frameTimeS), axis.width, withUnit);
+
+it('labels a second of a few seconds, as there are lines between', () => {
+  const texts = labelsOf(new Axis(1028, 480), 1 / 120).map(({ text }) => text);
+  expect(texts).toEqual(['1 s', '2 s', '3 s']);
+});
+
+it('writes minutes and hours, and parts of seconds where the axis is zoomed', () => {
+  const hour = labelsOf(new Axis(1028, 432_000), 1 / 120).map(({ text }) => text);
+  expect(hour).toContain('30:00');
+  const part = labelsOf(new Axis(1028, 432_000, { first: 240_000, last: 240_240 }), 1 / 120);
+  expect(part.map(({ text }) => text)).toContain('33:20.5');
+});
+
+it('hides what a flag covers', () => {
+  const labels = labelsOf(new Axis(1028, 480), 1 / 120);
+  expect(besideFlag(labels, labels[1].x).map(({ text }) => text)).toEqual(['1 s', '3 s']);
+  expect(besideFlag(labels, labels[1].x + 60)).toEqual(labels);
+});

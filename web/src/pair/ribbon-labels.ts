@@ -1,0 +1,56 @@
+/** The axes of A and B in; the times at the edges of the ribbon, where no flag covers them, out: pure geometry. */
+import { Axis } from '../timeline/axis';
+import {
+  clockTime,
+  divisionOf,
+  rulerTicks,
+  type Division,
+  type Tick,
+} from '../timeline/ruler-layout';
+
+export interface RibbonTicks {
+  readonly ticks: readonly Tick[];
+  readonly division: Division;
+}
+
+export interface RibbonLabel {
+  readonly x: number;
+  readonly text: string;
+}
+
+/** Pixels of a letter, between a tick and its label, and from the middle of a flag to its edge. */
+const LETTER = 6;
+const GAP = 4;
+const FLAG_HALF_WIDTH = 25;
+
+/** The labels stand among lines: half as many as a ruler would have. */
+export function ribbonTicks(axis: Axis, frameTimeS: number): RibbonTicks {
+  const narrow = new Axis(axis.width / 2, axis.lastFrame, axis.span);
+  const division = divisionOf(narrow, frameTimeS);
+  return { ticks: rulerTicks(axis, frameTimeS, division), division };
+}
+
+export function ribbonLabels(
+  { ticks, division }: RibbonTicks,
+  width: number,
+  withUnit: (seconds: string) => string,
+): RibbonLabel[] {
+  return ticks
+    .filter(({ size, timeS }) => size === 'major' && timeS > 0)
+    .map(({ x, timeS }) => ({
+      x: x + GAP,
+      text: timeText(timeS, division.digits, withUnit),
+    }))
+    .filter(({ x, text }) => x + text.length * LETTER <= width);
+}
+
+const timeText = (timeS: number, digits: number, withUnit: (seconds: string) => string): string =>
+  timeS < 59.9995 ? withUnit(timeS.toFixed(digits)) : clockTime(timeS, digits);
+
+/** The labels beside a flag whose middle is at a pixel. */
+export function besideFlag(labels: readonly RibbonLabel[], flagX: number): RibbonLabel[] {
+  return labels.filter(
+    ({ x, text }) =>
+      x > flagX + FLAG_HALF_WIDTH || x + text.length * LETTER < flagX - FLAG_HALF_WIDTH,
+  );
+}
