@@ -222,3 +222,100 @@ test('the neighbours are gone through by keys', async ({ app, page }) => {
   await expect(rows.nth(1)).toBeFocused();
   await expect(rows.nth(1)).toHaveAttribute('aria-pressed', 'true');
 });
+
+const groups = (page: Page): Locator => page.locator('.library-rows .group');
+const head = (page: Page, name: string): Locator =>
+  page.locator('.library').getByRole('button', { name, exact: true });
+
+test('the library stands in groups by label, folded by press and by keys', async ({
+  app,
+  page,
+}) => {
+  await openCompare(app, page);
+  await expect(groups(page)).toHaveCount(0);
+  await labelByName(page, '{label}_*');
+  await expect(groups(page)).toHaveText([/run\s*2/, /walk\s*2/, /dance\s*1/, /No label\s*1/]);
+  await expect(app.rows).toHaveCount(6);
+  await head(page, 'walk').click();
+  await expect(head(page, 'walk')).toHaveAttribute('aria-expanded', 'false');
+  await expect(app.rows).toHaveCount(4);
+  await expect(app.row('walk_anna.bvh')).toHaveCount(0);
+  await head(page, 'walk').press('ArrowRight');
+  await expect(app.rows).toHaveCount(6);
+  // Down from the head: the first of its clips opens; up again: the head has the focus.
+  await head(page, 'walk').press('ArrowDown');
+  await expect(app.row('walk_anna.bvh')).toHaveClass(/open/);
+  await expect(app.row('walk_anna.bvh').locator('.clip-open')).toBeFocused();
+  await page.keyboard.press('ArrowUp');
+  await expect(head(page, 'walk')).toBeFocused();
+  await page.keyboard.press('ArrowUp');
+  await expect(app.row('run_ben.bvh').locator('.clip-open')).toBeFocused();
+  await expect(app.row('run_ben.bvh')).toHaveClass(/open/);
+  await app.button('Sort').click();
+  await page.getByRole('menuitemcheckbox', { name: 'Group by label' }).click();
+  await page.keyboard.press('Escape');
+  await expect(groups(page)).toHaveCount(0);
+});
+
+test('a label is renamed for all its clips, with keys alone, and undone', async ({ app, page }) => {
+  await openCompare(app, page);
+  await labelByName(page, '{label}_*');
+  await head(page, 'walk').focus();
+  await page.keyboard.press('F2');
+  const field = page.getByLabel('New name of walk');
+  await expect(field).toBeFocused();
+  await field.press('Control+a');
+  await page.keyboard.type('gait');
+  await page.keyboard.press('Enter');
+  await expect(head(page, 'gait')).toBeFocused();
+  await expect(groups(page)).toHaveText([/run/, /gait\s*2/, /dance/, /No label/]);
+  await expect(
+    page.getByRole('table', { name: 'Label, and label of its nearest' }).getByRole('rowheader'),
+  ).toHaveText([/run/, /gait/, /dance/]);
+  await page.keyboard.press('F2');
+  await page.keyboard.type('never');
+  await page.keyboard.press('Escape');
+  await expect(head(page, 'gait')).toBeFocused();
+  await page.keyboard.press('Control+z');
+  await expect(groups(page)).toHaveText([/run/, /walk\s*2/, /dance/, /No label/]);
+  // By the button, onto a name that there is: both become one.
+  await head(page, 'walk').hover();
+  await app.button('Rename the label walk').click();
+  await page.getByLabel('New name of walk').fill('run');
+  await page.keyboard.press('Enter');
+  await expect(groups(page)).toHaveText([/run\s*4/, /dance/, /No label/]);
+});
+
+test('several clips are chosen together, labelled and removed, and each undone at once', async ({
+  app,
+  page,
+}) => {
+  await openCompare(app, page);
+  const open = (name: string): Locator => app.row(name).locator('.clip-open');
+  await open('run_anna.bvh').click();
+  await open('walk_anna.bvh').click({ modifiers: ['ControlOrMeta'] });
+  const status = page.locator('.library-ticked [role="status"]');
+  await expect(status).toHaveText('2 selected');
+  await open('walk_anna.bvh').press('Shift+ArrowDown');
+  await expect(status).toHaveText('2 selected');
+  await expect(app.row('walk_ben.bvh')).toHaveClass(/ticked/);
+  await page.getByLabel('Label of the selected clips').fill('gait');
+  await page.keyboard.press('Enter');
+  await expect(groups(page)).toHaveText([/gait\s*2/, /No label\s*4/]);
+  await open('walk_ben.bvh').focus();
+  await page.keyboard.press('Delete');
+  await expect(app.toast).toHaveText('2 clips removed');
+  await expect(app.rows).toHaveCount(4);
+  await expect(page.locator('.library-ticked')).toHaveCount(0);
+  await page.keyboard.press('Control+z');
+  await expect(app.rows).toHaveCount(6);
+  await app.rows.first().locator('.clip-open').focus();
+  await page.keyboard.press('Control+a');
+  await expect(status).toHaveText('6 selected');
+  // The table ticks the same clips.
+  await page.getByRole('tab', { name: 'Table' }).click();
+  await expect(page.getByRole('checkbox', { name: 'Tick all' })).toBeChecked();
+  await app.rows.first().locator('.clip-open').focus();
+  await page.keyboard.press('Escape');
+  await expect(page.locator('.library-ticked')).toHaveCount(0);
+});

@@ -4,7 +4,8 @@ import type { ClipId, ClipSource, Engine, ExportKind, MethodOptions } from '../e
 import { saveBlob, saveText } from '../common/save-file';
 import { createAnalysis } from './analysis';
 import { createBacklog } from './backlog';
-import { patchClip } from './clip-changes';
+import { patchClips } from './clip-changes';
+import type { Clip } from './clips';
 import { decisionLabels, withDecision, type DecisionChange, type JointsChange } from './decisions';
 import { failureOf } from './failure';
 import type { History } from './history';
@@ -23,7 +24,8 @@ export interface Actions {
   readonly openClip: (id: ClipId | null) => void;
   readonly openNeighbour: (direction: 1 | -1) => void;
   readonly choosePerformer: (index: number) => void;
-  readonly remove: (id: ClipId) => void;
+  /** One or several, undone together. */
+  readonly remove: (...ids: readonly ClipId[]) => void;
   readonly decide: (change: DecisionChange) => void;
   /** Another value of a parameter of the method, for all clips; undefined: its default. */
   readonly setOption: <Key extends keyof MethodOptions>(
@@ -130,21 +132,29 @@ class PageActions implements Actions {
     this.parts.store.performer.value = index;
   }
 
-  remove(id: ClipId): void {
-    const { store, history, words } = this.parts;
-    const name = store.clips.peek()[id]?.source.name ?? '';
-    const wasOpen = store.openId.peek() === id;
+  remove(...ids: readonly ClipId[]): void {
+    const { store, history, words, engine } = this.parts;
+    const [first] = ids;
+    if (first === undefined) return;
+    const { t } = words();
+    const name = store.clips.peek()[first]?.source.name ?? '';
+    const openId = store.openId.peek();
+    const one = ids.length === 1;
     history.run({
-      label: words().t('change.remove', name),
-      apply: () => this.takeOut(id),
+      label: one ? t('change.remove', name) : t('change.remove.several', ids.length),
+      apply: () => this.takeOut(ids),
       revert: () => {
-        patchClip(store, id, { removed: false });
-        if (wasOpen) this.openClip(id);
+        patchClips(
+          store,
+          ids.map((id) => [id, { removed: false }]),
+        );
+        if (openId !== null && ids.includes(openId)) this.openClip(openId);
       },
-      settle: () => this.parts.engine.close(id),
+      settle: () => ids.forEach((id) => engine.close(id)),
     });
-    const undo = { label: words().t('toast.undo'), run: () => this.undo() };
-    store.toast.value = { kind: 'done', text: words().t('toast.removed', name), action: undo };
+    const undo = { label: t('toast.undo'), run: () => this.undo() };
+    const text = one ? t('toast.removed', name) : t('toast.removed.several', ids.length);
+    store.toast.value = { kind: 'done', text, action: undo };
   }
 
   decide(change: DecisionChange): void {
@@ -223,16 +233,22 @@ class PageActions implements Actions {
     this.parts.history.redo();
   }
 
-  /** Out of the library; an open clip gives its place to its neighbour. */
-  private takeOut(id: ClipId): void {
+  /** Out of the library; an open clip gives its place to its neighbour that stays. */
+  private takeOut(ids: readonly ClipId[]): void {
     const { store } = this.parts;
+    const gone = new Set(ids);
     const shown = store.shown.peek();
-    const index = shown.findIndex((clip) => clip.id === id);
-    const neighbour = shown[index + 1] ?? shown[index - 1] ?? null;
-    const wasOpen = store.openId.peek() === id;
+    const openId = store.openId.peek();
+    const index = shown.findIndex(({ id }) => id === openId);
+    const stays = ({ id }: Clip): boolean => !gone.has(id);
+    const neighbour = shown.slice(index + 1).find(stays) ?? shown.slice(0, index).findLast(stays);
     batch(() => {
-      patchClip(store, id, { removed: true });
-      if (wasOpen) this.openClip(neighbour?.id ?? null);
+      patchClips(
+        store,
+        ids.map((id) => [id, { removed: true }]),
+      );
+      store.ticked.value = new Set([...store.ticked.peek()].filter((id) => !gone.has(id)));
+      if (openId !== null && gone.has(openId)) this.openClip(neighbour?.id ?? null);
     });
   }
 

@@ -12,6 +12,7 @@ import type { CompareTab, LabelRule, MatrixOrder, Page } from './compare-store';
 import { failureOf } from './failure';
 import type { History } from './history';
 import type { Words } from './i18n/catalogue';
+import { withRename } from './labels';
 import type { Store } from './store';
 
 export interface CompareActions {
@@ -28,6 +29,8 @@ export interface CompareActions {
   readonly setLabelRule: (rule: LabelRule) => void;
   /** '' takes the label away. */
   readonly labelByHand: (ids: readonly ClipId[], label: string) => void;
+  /** Of all its clips, also of those that come later; a name that there is already joins both. */
+  readonly renameLabel: (from: string, to: string) => void;
   /** Another clip on the page Pair. */
   readonly addToPair: (id: ClipId) => void;
   readonly removeFromPair: (id: ClipId) => void;
@@ -117,6 +120,23 @@ class Verbs implements CompareActions {
       label: this.parts.words().t('change.label'),
       apply: () => (handLabels.value = after),
       revert: () => (handLabels.value = before),
+    });
+  }
+
+  renameLabel(from: string, to: string): void {
+    const { handLabels, labelRenames } = this.state;
+    if (to === '' || to === from) return;
+    const [hand, renames] = [handLabels.peek(), labelRenames.peek()];
+    const newHand = new Map([...hand].map(([id, label]) => [id, label === from ? to : label]));
+    const set = (labels: typeof hand, names: typeof renames): void =>
+      batch(() => {
+        handLabels.value = labels;
+        labelRenames.value = names;
+      });
+    this.parts.history.run({
+      label: this.parts.words().t('change.label'),
+      apply: () => set(newHand, withRename(renames, from, to)),
+      revert: () => set(hand, renames),
     });
   }
 

@@ -12,6 +12,7 @@ import type {
   Neighbour,
 } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
+import type { LabelRenames } from './labels';
 
 export type Page = 'study' | 'compare' | 'pair';
 
@@ -51,6 +52,8 @@ export interface CompareStore {
   readonly labelRule: Signal<LabelRule>;
   /** Labels by hand; '' takes a label away. */
   readonly handLabels: Signal<ReadonlyMap<ClipId, string>>;
+  /** What labels from the rule are called instead. */
+  readonly labelRenames: Signal<LabelRenames>;
   readonly evaluation: Signal<Evaluation | null>;
   readonly order: Signal<MatrixOrder>;
   /** The second clip of the selection; the first is the open clip. */
@@ -82,6 +85,7 @@ export function createCompareStore(): CompareStore {
     cut: signal<Cut | null>(null),
     labelRule: signal<LabelRule>({ kind: 'none' }),
     handLabels: signal<ReadonlyMap<ClipId, string>>(new Map()),
+    labelRenames: signal<LabelRenames>(new Map()),
     evaluation: signal<Evaluation | null>(null),
     order: signal<MatrixOrder>('tree'),
     otherId: signal<ClipId | null>(null),

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { labelNames, labelsOf, labelStyle, steadyLabels } from './labels';
+import { labelNames, labelsOf, labelStyle, steadyLabels, withRename } from './labels';
 import { testClip } from './test-clips';
 
 const clips = [
@@ -59,4 +59,21 @@ test('the same labels are the same map', () => {
   expect(steadyLabels(before, labelsOf(pattern, nothing, clips))).toBe(before);
   const other = labelsOf({ kind: 'folder' }, nothing, clips);
   expect(steadyLabels(before, other)).toBe(other);
+});
+
+test('a label that a rule gives has another name; one given by hand has not', () => {
+  const renames = withRename(new Map(), '05', 'dance');
+  const hand = new Map([[2, '05']]);
+  expect([...labelsOf(pattern, hand, clips, renames).values()]).toEqual(['dance', '05', null]);
+});
+
+test('renamed again, the name of before goes along; two names may become one', () => {
+  const twice = withRename(withRename(new Map(), '05', 'dance'), 'dance', 'waltz');
+  expect([...labelsOf(pattern, new Map(), clips, twice).values()]).toEqual(['waltz', '07', null]);
+  const joined = withRename(twice, '07', 'waltz');
+  expect([...labelsOf(pattern, new Map(), clips, joined).values()]).toEqual([
+    'waltz',
+    'waltz',
+    null,
+  ]);
 });

@@ -24,18 +24,30 @@ function byRule(rule: LabelRule): (source: LabelledClip['source']) => string | n
   return ({ name }) => (pattern ? labelInName(pattern, name) : null);
 }
 
+/** What labels that a rule gives are called instead. */
+export type LabelRenames = ReadonlyMap<string, string>;
+
 export function labelsOf(
   rule: LabelRule,
   hand: ReadonlyMap<ClipId, string>,
   clips: readonly LabelledClip[],
+  renames: LabelRenames = new Map(),
 ): Labels {
   const found = byRule(rule);
+  const named = (label: string | null): string | null =>
+    label === null ? null : (renames.get(label) ?? label);
   return new Map(
     clips.map(({ id, source }) => {
       const given = hand.get(id);
-      return [id, given === undefined ? found(source) : given || null];
+      return [id, given === undefined ? named(found(source)) : given || null];
     }),
   );
+}
+
+/** Another name for a label, also for clips that come later; labels that were called so go along. */
+export function withRename(renames: LabelRenames, from: string, to: string): LabelRenames {
+  const moved = [...renames].map(([label, name]) => [label, name === from ? to : name] as const);
+  return new Map([...moved, ...(renames.has(from) ? [] : [[from, to] as const])]);
 }
 
 /** Every label once, in the order of its first clip: a label keeps its place while clips arrive. */

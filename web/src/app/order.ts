@@ -43,6 +43,17 @@ export function sortClips(clips: readonly Clip[], { key, descending }: Sort): Cl
   return [...clips].sort(compare);
 }
 
+/** Clips of one label beside each other, in the order of the labels; those without come last. */
+export function groupClips(
+  clips: readonly Clip[],
+  labels: Labels,
+  labelNames: readonly string[],
+): readonly Clip[] {
+  const groups = new Map<string | null, Clip[]>([...labelNames, null].map((label) => [label, []]));
+  for (const clip of clips) groups.get(labels.get(clip.id) ?? null)?.push(clip);
+  return [...groups.values()].flat();
+}
+
 const plain = (text: string): string => text.normalize('NFKC').toLowerCase();
 
 /** Every word of the filter must stand in the clip's folder, name or label. */

@@ -10,7 +10,7 @@ import { keyposeFrames, type Clip } from './clips';
 import { createCompareStore, type CompareStore } from './compare-store';
 import { labelNames, labelsOf, steadyLabels, type Labels } from './labels';
 import { qualifiers } from './names';
-import { filterClips, sortClips, type Sort } from './order';
+import { filterClips, groupClips, sortClips, type Sort } from './order';
 
 export type ViewPreset = 'front' | 'side' | 'top';
 
@@ -61,6 +61,12 @@ export interface Store {
   readonly performer: Signal<number>;
   readonly sort: Signal<Sort>;
   readonly filter: Signal<string>;
+  /** Whether the library is grouped by label, where there are labels. */
+  readonly groupByLabel: Signal<boolean>;
+  /** Labels whose clips are folded away in the library; null: of the clips without one. */
+  readonly foldedLabels: Signal<ReadonlySet<string | null>>;
+  /** Clips that are ticked, to be labelled or removed together. */
+  readonly ticked: Signal<ReadonlySet<ClipId>>;
   readonly playback: Signal<PlaybackState>;
   readonly hoverFrame: Signal<number | null>;
   readonly view: Signal<ViewPreset | null>;
@@ -86,7 +92,9 @@ export interface Store {
   readonly compare: CompareStore;
   /** The clips that are not removed, in order of arrival. */
   readonly present: ReadonlySignal<readonly Clip[]>;
-  /** The rows of the library. */
+  /** Whether the library stands in groups. */
+  readonly grouped: ReadonlySignal<boolean>;
+  /** The clips of the library that the filter lets through, in their order; folded ones among them. */
   readonly shown: ReadonlySignal<readonly Clip[]>;
   readonly qualifiers: ReadonlySignal<ReadonlyMap<ClipId, string>>;
   /** The label of every clip that is present; another map only when a label is another one. */
@@ -117,6 +125,9 @@ function writtenState() {
     performer: signal(0),
     sort: signal<Sort>({ key: 'arrival', descending: false }),
     filter: signal(''),
+    groupByLabel: signal(true),
+    foldedLabels: signal<ReadonlySet<string | null>>(new Set()),
+    ticked: signal<ReadonlySet<ClipId>>(new Set()),
     playback: signal(stillPlayback),
     hoverFrame: signal<number | null>(null),
     view: signal<ViewPreset | null>('side'),
@@ -151,17 +162,22 @@ export function createStore(): Store {
   const frames = computed(() =>
     openPerformer.value ? keyposeFrames(openPerformer.value) : new Int32Array(),
   );
-  const names = computed(() => qualifiers(present.value));
   const labels = labelling(state.compare, present);
+  const names = computed(() => labelNames(labels.value));
+  const grouped = computed(() => state.groupByLabel.value && names.value.length > 0);
+  const sorted = computed(() =>
+    sortClips(filterClips(present.value, state.filter.value, labels.value), state.sort.value),
+  );
   return {
     ...state,
     present,
+    grouped,
     shown: computed(() =>
-      sortClips(filterClips(present.value, state.filter.value, labels.value), state.sort.value),
+      grouped.value ? groupClips(sorted.value, labels.value, names.value) : sorted.value,
     ),
-    qualifiers: names,
+    qualifiers: computed(() => qualifiers(present.value)),
     labels,
-    labelNames: computed(() => labelNames(labels.value)),
+    labelNames: names,
     openClip,
     openPerformer,
     keyposeFrames: frames,
@@ -174,12 +190,12 @@ export function createStore(): Store {
 }
 
 function labelling(
-  { labelRule, handLabels }: CompareStore,
+  { labelRule, handLabels, labelRenames }: CompareStore,
   present: ReadonlySignal<readonly Clip[]>,
 ): ReadonlySignal<Labels> {
   let before: Labels = new Map();
-  return computed(
-    () =>
-      (before = steadyLabels(before, labelsOf(labelRule.value, handLabels.value, present.value))),
-  );
+  return computed(() => {
+    const [rule, hand, renames] = [labelRule.value, handLabels.value, labelRenames.value];
+    return (before = steadyLabels(before, labelsOf(rule, hand, present.value, renames)));
+  });
 }

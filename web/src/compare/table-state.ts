@@ -40,7 +40,7 @@ export function createTableState({ store }: Context): TableState {
     sort,
     filter,
     grouped,
-    checked: signal<ReadonlySet<ClipId>>(new Set()),
+    checked: store.ticked,
     current: signal<ClipId | null>(null),
     rows,
     shown: computed(() =>

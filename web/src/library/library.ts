@@ -1,9 +1,8 @@
-/** The clips of the page: filter, order, rows. Only the rows in sight exist. */
+/** The clips of the page: filter, order, groups, rows, what is ticked. Only the rows in sight exist. */
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import { repeat } from 'lit-html/directives/repeat.js';
 import type { ClipId } from '../engine/types';
-import type { Clip } from '../app/clips';
 import type { MessageKey, Words } from '../app/i18n/catalogue';
 import type { Labels } from '../app/labels';
 import { sortKeys, type Sort, type SortKey } from '../app/order';
@@ -11,16 +10,33 @@ import { iconButton } from '../common/buttons';
 import { styled } from '../common/directives';
 import { icon } from '../common/icons';
 import { menuButton, type MenuItem } from '../common/menu';
-import { libraryRow, rowHeightPx, type RowLabel } from './row';
-import { rowWindow } from './row-window';
+import {
+  heightOf,
+  type ClipEntry,
+  type GroupEntry,
+  type LibraryEntry,
+  type LibraryLayout,
+} from './entries';
+import { groupHead } from './group-head';
+import { libraryRow, type RowLabel } from './row';
+import { unevenWindow } from './row-window';
+import { tickedBar } from './ticked-bar';
 
 export interface LibraryProps {
   readonly words: Words;
-  /** The clips that the filter lets through, in their order. */
-  readonly rows: readonly Clip[];
+  readonly layout: LibraryLayout;
+  /** Clips that the filter lets through. */
+  readonly listed: number;
   readonly total: number;
   readonly bytes: number;
   readonly openId: ClipId | null;
+  /** The second of the pair that is compared. */
+  readonly otherId: ClipId | null;
+  readonly ticked: ReadonlySet<ClipId>;
+  /** null: there are no labels to group by. */
+  readonly grouped: boolean | null;
+  /** The label whose name is being written. */
+  readonly renaming: string | null;
   readonly qualifiers: ReadonlyMap<ClipId, string>;
   readonly labels: Labels;
   readonly labelNames: readonly string[];
@@ -28,9 +44,17 @@ export interface LibraryProps {
   readonly sort: Sort;
   readonly scrollTop: number;
   readonly viewHeight: number;
-  readonly onOpen: (id: ClipId) => void;
+  readonly onPress: (id: ClipId, event: MouseEvent) => void;
   readonly onRemove: (id: ClipId) => void;
-  readonly onNeighbour: (direction: 1 | -1) => void;
+  readonly onListKey: (event: KeyboardEvent) => void;
+  readonly onGrouped: (grouped: boolean) => void;
+  readonly onFold: (label: string | null, folded: boolean) => void;
+  readonly onRename: (label: string) => void;
+  /** null: it keeps its name. */
+  readonly onRenamed: (name: string | null) => void;
+  readonly onLabelTicked: (label: string) => void;
+  readonly onRemoveTicked: () => void;
+  readonly onClearTicked: () => void;
   readonly onFilter: (filter: string) => void;
   readonly onSort: (sort: Sort) => void;
   readonly onScroll: (scrollTop: number) => void;
@@ -45,7 +69,7 @@ const sortLabels: Readonly<Record<SortKey, MessageKey>> = {
   keyposes: 'sort.keyposes',
 };
 
-function sortItems({ words: { t }, sort, onSort }: LibraryProps): MenuItem[] {
+function sortItems({ words: { t }, sort, grouped, onSort, onGrouped }: LibraryProps): MenuItem[] {
   const keys = sortKeys.map((key) => ({
     label: t(sortLabels[key]),
     checked: key === sort.key,
@@ -57,12 +81,14 @@ function sortItems({ words: { t }, sort, onSort }: LibraryProps): MenuItem[] {
     apart: index === 0,
     onChoose: () => onSort({ ...sort, descending }),
   }));
-  return [...keys, ...directions];
+  if (grouped === null) return [...keys, ...directions];
+  const group = { label: t('library.group'), checked: grouped, several: true, apart: true };
+  return [...keys, ...directions, { ...group, onChoose: () => onGrouped(!grouped) }];
 }
 
 function head(props: LibraryProps): TemplateResult {
   const { t } = props.words;
-  const { rows, total } = props;
+  const { listed, total } = props;
   const addItems: MenuItem[] = [
     { label: t('library.add.files'), icon: 'file-up', onChoose: props.onAddFiles },
     { label: t('library.add.folder'), icon: 'folder-open', onChoose: props.onAddFolder },
@@ -70,7 +96,7 @@ function head(props: LibraryProps): TemplateResult {
   return html`<div class="panel-head">
     <h2>${t('library.title')}</h2>
     <span class="library-count"
-      >${rows.length === total ? t('library.count', total) : t('library.count.shown', rows.length, total)}</span
+      >${listed === total ? t('library.count', total) : t('library.count.shown', listed, total)}</span
     >
     ${menuButton({ id: 'sort-menu', name: 'arrow-up-down', label: t('library.sort'), items: sortItems(props) })}
     ${menuButton({ id: 'add-menu', name: 'plus', label: t('library.add'), items: addItems })}
@@ -120,55 +146,99 @@ function labelOf({ labels, labelNames }: LibraryProps, id: ClipId): RowLabel | n
   return name === null ? null : { name, index: labelNames.indexOf(name) };
 }
 
+function clipRow(
+  props: LibraryProps,
+  { clip, index }: ClipEntry,
+  top: number,
+  tabStop: boolean,
+): TemplateResult {
+  const { words, openId, otherId, qualifiers, ticked } = props;
+  return libraryRow({
+    words,
+    clip,
+    qualifier: qualifiers.get(clip.id) ?? '',
+    label: labelOf(props, clip.id),
+    open: clip.id === openId,
+    other: clip.id === otherId,
+    ticked: ticked.has(clip.id),
+    top,
+    tabStop,
+    index,
+    count: props.listed,
+    onPress: (event) => props.onPress(clip.id, event),
+    onRemove: () => props.onRemove(clip.id),
+  });
+}
+
+function headRow(props: LibraryProps, group: GroupEntry, top: number): TemplateResult {
+  const { words, labels, labelNames, openId, renaming } = props;
+  const { label } = group;
+  return groupHead({
+    words,
+    group,
+    place: label === null ? -1 : labelNames.indexOf(label),
+    top,
+    open: openId !== null && (labels.get(openId) ?? null) === label,
+    renaming: label !== null && label === renaming,
+    onFold: (folded) => props.onFold(label, folded),
+    onRename: () => label !== null && props.onRename(label),
+    onRenamed: props.onRenamed,
+  });
+}
+
+const keyOf = (entry: LibraryEntry): string | number =>
+  entry.kind === 'clip' ? entry.clip.id : `group ${entry.label ?? ''}`;
+
 function rowsInSight(props: LibraryProps): TemplateResult {
-  const { rows, openId, qualifiers, words } = props;
-  const { first, end } = rowWindow(rows.length, rowHeightPx, props.scrollTop, props.viewHeight);
-  const openInSight = rows.slice(first, end).some(({ id }) => id === openId);
-  const row = (clip: Clip, offset: number): TemplateResult =>
-    libraryRow({
-      words,
-      clip,
-      qualifier: qualifiers.get(clip.id) ?? '',
-      label: labelOf(props, clip.id),
-      open: clip.id === openId,
-      tabStop: openInSight ? clip.id === openId : offset === 0,
-      index: first + offset,
-      count: rows.length,
-      onOpen: () => props.onOpen(clip.id),
-      onRemove: () => props.onRemove(clip.id),
-    });
-  return html`${repeat(rows.slice(first, end), ({ id }) => id, row)}`;
+  const { layout, openId } = props;
+  const { first, end } = unevenWindow(layout.tops, props.scrollTop, props.viewHeight);
+  const inSight = layout.entries.slice(first, end);
+  const clips = inSight.flatMap((entry) => (entry.kind === 'clip' ? [entry.clip.id] : []));
+  const stop = clips.find((id) => id === openId) ?? clips[0];
+  const row = (entry: LibraryEntry, offset: number): TemplateResult => {
+    const top = layout.tops[first + offset] ?? 0;
+    return entry.kind === 'group'
+      ? headRow(props, entry, top)
+      : clipRow(props, entry, top, entry.clip.id === stop);
+  };
+  return html`${repeat(inSight, keyOf, row)}`;
 }
 
 function list(props: LibraryProps): TemplateResult {
   const {
     words: { t },
-    rows,
+    layout,
+    listed,
     filter,
   } = props;
-  const onKey = (event: KeyboardEvent): void => {
-    const step = ({ ArrowDown: 1, ArrowUp: -1 } as const)[event.key as 'ArrowDown' | 'ArrowUp'];
-    if (!step) return;
-    event.preventDefault();
-    props.onNeighbour(step);
-  };
   const onScroll = (event: Event): void => props.onScroll((event.target as HTMLElement).scrollTop);
-  return html`<div class="library-list" @scroll=${onScroll} @keydown=${onKey}>
-    ${rows.length === 0 && filter ? html`<p class="library-nothing">${t('library.nothing', filter)}</p>` : nothing}
-    <ul class="library-rows" ${styled({ height: `${rows.length * rowHeightPx}px` })}>
+  return html`<div class="library-list" @scroll=${onScroll} @keydown=${props.onListKey}>
+    ${listed === 0 && filter ? html`<p class="library-nothing">${t('library.nothing', filter)}</p>` : nothing}
+    <ul class="library-rows" ${styled({ height: `${heightOf(layout)}px` })}>
       ${rowsInSight(props)}
     </ul>
   </div>`;
 }
 
+function foot(props: LibraryProps): TemplateResult {
+  const { words, ticked } = props;
+  if (ticked.size > 0)
+    return tickedBar({
+      words,
+      count: ticked.size,
+      onLabel: props.onLabelTicked,
+      onRemove: props.onRemoveTicked,
+      onClear: props.onClearTicked,
+    });
+  return html`<div class="library-foot">
+    ${icon('lock', 13)}<span>${words.t('library.local')}</span
+    ><span class="library-size">${words.format.bytes(props.bytes)}</span>
+  </div>`;
+}
+
 export function library(props: LibraryProps): TemplateResult {
-  const { t, format } = props.words;
   return html`
     <div class="library-head">${head(props)}${filterField(props)}</div>
-    ${list(props)}
-    <div class="library-foot">
-      ${icon('lock', 13)}<span>${t('library.local')}</span
-      ><span class="library-size">${format.bytes(props.bytes)}</span>
-    </div>
+    ${list(props)} ${foot(props)}
   `;
 }

@@ -24,12 +24,16 @@ export interface RowProps {
   readonly qualifier: string;
   readonly label: RowLabel | null;
   readonly open: boolean;
+  /** The second of the selected pair. */
+  readonly other: boolean;
+  readonly ticked: boolean;
+  readonly top: number;
   /** Whether the Tab key stops at this row. */
   readonly tabStop: boolean;
   /** From 0, of `count` rows. */
   readonly index: number;
   readonly count: number;
-  readonly onOpen: () => void;
+  readonly onPress: (event: MouseEvent) => void;
   readonly onRemove: () => void;
 }
 
@@ -131,6 +135,12 @@ function counts({ words: { t, format }, clip }: RowProps): TemplateResult {
   </span>`;
 }
 
+function tick({ words }: RowProps): TemplateResult {
+  return html`<span class="clip-tick"
+    >${icon('check', 11)}<span class="spoken">${words.t('library.ticked.one')}</span></span
+  >`;
+}
+
 function removal({ words, clip, onRemove }: RowProps): TemplateResult {
   return html`<span class="clip-remove"
     >${iconButton({
@@ -147,17 +157,13 @@ function removal({ words, clip, onRemove }: RowProps): TemplateResult {
 
 export function libraryRow(props: RowProps): TemplateResult {
   const { clip, open, index, count } = props;
-  const onKey = (event: KeyboardEvent): void => {
-    if (event.key !== 'Delete') return;
-    event.preventDefault();
-    props.onRemove();
-  };
+  const states = { open, other: props.other, ticked: props.ticked, outdated: clip.outdated };
+  const on = Object.entries(states).flatMap(([name, holds]) => (holds ? [name] : []));
   return html`<li
-    class="clip ${open ? 'open' : ''} ${clip.status} ${clip.outdated ? 'outdated' : ''}"
+    class="clip ${clip.status} ${on.join(' ')}"
     aria-setsize=${count}
     aria-posinset=${index + 1}
-    @keydown=${onKey}
-    ${styled({ transform: `translateY(${index * rowHeightPx}px)` })}
+    ${styled({ transform: `translateY(${props.top}px)` })}
   >
     <button
       type="button"
@@ -166,9 +172,9 @@ export function libraryRow(props: RowProps): TemplateResult {
       data-space="plays"
       aria-current=${open ? 'true' : nothing}
       tabindex=${props.tabStop ? 0 : -1}
-      @click=${props.onOpen}
+      @click=${props.onPress}
     >
-      ${thumbnail(props)}
+      ${thumbnail(props)} ${props.ticked ? tick(props) : nothing}
       <span class="clip-text"
         >${clipName(clip.source.name, props.qualifier)}<span class="clip-beneath"
           >${labelOf(props)}${facts(props)}</span
