@@ -8,6 +8,7 @@ import type { StageSettings } from '../study/mount-stage';
 import { mountClipChoice } from './clip-choice';
 import { explanationOf } from './distance-text';
 import { distanceSections } from './distance-sections';
+import { mountFilm } from './mount-film';
 import { mountRows } from './mount-rows';
 import { mountStages } from './mount-stages';
 import { pairBar } from './pair-bar';
@@ -24,10 +25,11 @@ export function mountPair(place: HTMLElement, context: Context, settings: StageS
   context.pageKeys.set('pair', pairKeys(state));
   chooseOther(context);
   mountBar(places.bar, context, state);
-  mountStages(places.stages, context, state, settings);
+  const stages = mountStages(places.stages, context, state, settings);
   mountTransport(places.transport, context, state);
   mountRows(places.rows, context, state);
-  mountSide(places.side, context, state);
+  mountSide(places, context, state);
+  mountFilm(places.foot, context, state, stages);
   const middle = document.querySelector<HTMLElement>('#top-middle');
   if (middle) mountClipChoice(middle, context);
   speak(places.spoken, context, state);
@@ -42,7 +44,9 @@ function layOut(place: HTMLElement) {
     stages: element('div', 'pair-stages'),
     transport: element('div', 'transport pair-transport'),
     rows: element('div', 'pair-rows'),
-    side: element('aside', 'pair-side'),
+    aside: element('aside', 'pair-side'),
+    side: element('div', 'pair-side-body'),
+    foot: element('div', 'pair-side-foot'),
     spoken: element('div', 'spoken'),
   };
   const time = element('div', 'time');
@@ -51,7 +55,8 @@ function layOut(place: HTMLElement) {
   places.spoken.setAttribute('aria-live', 'polite');
   time.append(places.transport, places.rows);
   main.append(places.bar, places.stages, time);
-  page.append(main, places.side, places.spoken);
+  places.aside.append(places.side, places.foot);
+  page.append(main, places.aside, places.spoken);
   place.append(page);
   return places;
 }
@@ -133,11 +138,15 @@ function mountTransport(place: HTMLElement, { language }: Context, state: PairSt
   });
 }
 
-function mountSide(place: HTMLElement, context: Context, state: PairState): void {
-  mount(place, (): TemplateResult => {
+function mountSide(
+  { aside, side }: { readonly aside: HTMLElement; readonly side: HTMLElement },
+  context: Context,
+  state: PairState,
+): void {
+  mount(side, (): TemplateResult => {
     const words = context.language.words.value;
     const [a, b] = state.clips.value;
-    place.setAttribute('aria-label', words.t('pair.details'));
+    aside.setAttribute('aria-label', words.t('pair.details'));
     if (!a || !b) return html``;
     const [timingA, timingB] = [a, b].map(({ keyposes, performer, frameTimeS }) =>
       timingOf(keyposes, performer.keyposes, frameTimeS),

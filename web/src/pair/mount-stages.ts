@@ -4,6 +4,7 @@ import type { Context } from '../app/context';
 import { element } from '../common/element';
 import { follow, mount } from '../common/mount';
 import { performerLetter } from '../figure/performer-letter';
+import type { Placement } from '../figure/placement';
 import type { Look, Stage, StageProps } from '../stage';
 import { loadStage, type LoadedStage } from '../study/load-stage';
 import type { StageSettings } from '../study/mount-stage';
@@ -17,16 +18,29 @@ import { stageWords } from './stage-words';
 import { followMeeting, type Meeting } from './together';
 
 /** Both stages have one scale, with room for the keyposes around. */
-const ROOM = 1.2;
+export const ROOM = 1.2;
 
 type StageSignal = ReadonlySignal<Stage | null>;
+
+/** What the stages show, for who draws it elsewhere. */
+export interface PairStages {
+  readonly stages: readonly ShownStage[];
+  /** Where superposed clips stand; null while that is not known. */
+  readonly placements: ReadonlySignal<readonly Placement[] | null>;
+}
+
+interface ShownStage {
+  readonly stage: StageSignal;
+  /** Whose keyposes and trails are shown. */
+  readonly shown: ReadonlySignal<ShownClip | null>;
+}
 
 export function mountStages(
   place: HTMLElement,
   context: Context,
   state: PairState,
   settings: StageSettings,
-): void {
+): PairStages {
   const { superposed, mirrorB } = context.store.compare;
   const sources = new PoseSources(context.engine);
   const placements = followMeeting(
@@ -35,7 +49,7 @@ export function mountStages(
   );
   effect(() => sources.keep(state.clips.value));
   follow(() => place.classList.toggle('superposed', superposed.value));
-  const stages: StageSignal[] = [];
+  const stages: ShownStage[] = [];
   for (const index of [0, 1] as const) {
     const scene = computed(() =>
       sceneOf(
@@ -50,9 +64,10 @@ export function mountStages(
       ),
     );
     // Who turns one figure sees the other from there too.
-    const onLook = (look: Look): void => stages[1 - index]?.peek()?.lookFrom(look);
+    const onLook = (look: Look): void => stages[1 - index]?.stage.peek()?.lookFrom(look);
     stages.push(mountOne(place, index, { context, state, settings, scene, onLook }));
   }
+  return { stages, placements };
 }
 
 /** Where superposed clips stand in one place: at the start, at the keypose, at the path's beginning. */
@@ -77,7 +92,7 @@ interface Parts {
   readonly onLook: (look: Look) => void;
 }
 
-function mountOne(place: HTMLElement, index: 0 | 1, parts: Parts): StageSignal {
+function mountOne(place: HTMLElement, index: 0 | 1, parts: Parts): ShownStage {
   const { context, state, settings, scene, onLook } = parts;
   const section = element('section', 'stage pair-stage');
   const figure = element('div', 'stage-figure');
@@ -108,7 +123,7 @@ function mountOne(place: HTMLElement, index: 0 | 1, parts: Parts): StageSignal {
   showTrails(stage, shown, context, state);
   showWords(overlay, index, parts, loaded);
   keepCorners(overlay, stage);
-  return stage;
+  return { stage, shown };
 }
 
 function showWords(

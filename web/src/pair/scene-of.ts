@@ -22,7 +22,11 @@ export interface SceneWish {
 const nothingShown: StageScene = { places: [], performers: [] };
 
 /** Of the first stage (0: A, or all) or the second (1: B). */
-export function sceneOf(stage: 0 | 1, wish: SceneWish, sources: PoseSources): StageScene {
+export function sceneOf(
+  stage: 0 | 1,
+  wish: SceneWish,
+  sources: Pick<PoseSources, 'of'>,
+): StageScene {
   const { clips, superposed, placements, mirrorB } = wish;
   if (!superposed) {
     const clip = clips[stage];
@@ -45,7 +49,7 @@ function performerOf(
   a: PairClip,
   clip: PairClip,
   placement: Placement,
-  sources: PoseSources,
+  sources: Pick<PoseSources, 'of'>,
 ): StagePerformer {
   const yaws = { sideYawRad: sideYaw(a), frontYawRad: a.performer.frontYawRad };
   return { ...clip.performer, ...yaws, placement, source: sources.of(clip) };

@@ -104,6 +104,17 @@ function fetchedPoses(
   return ghosts;
 }
 
+/** Those through which a clip's trails go around a keypose; null: it has no trails there. */
+export function framesOfTrails(clip: PairClip, current: number | null): Int32Array | null {
+  if (clip.performer.trailJoints.length === 0) return null;
+  const frames = trailFrames(clip.keyposes, current, {
+    firstFrame: clip.performer.leadingRestFrames,
+    lastFrame: clip.frames - 1,
+    frameTimeS: clip.frameTimeS,
+  });
+  return frames.length > 1 ? frames : null;
+}
+
 export function showTrails(
   stage: StageSignal,
   shown: Shown,
@@ -114,13 +125,9 @@ export function showTrails(
   const wish = computed(() => {
     const { place, clip } = shown.value ?? { place: -1, clip: null };
     const due = context.store.trails.value && !context.store.compare.superposed.value;
-    if (!clip || !due || clip.performer.trailJoints.length === 0) return null;
-    const frames = trailFrames(clip.keyposes, state.currentKeyposes.value[place] ?? null, {
-      firstFrame: clip.performer.leadingRestFrames,
-      lastFrame: clip.frames - 1,
-      frameTimeS: clip.frameTimeS,
-    });
-    return frames.length > 1 ? { clip, frames } : null;
+    if (!clip || !due) return null;
+    const frames = framesOfTrails(clip, state.currentKeyposes.value[place] ?? null);
+    return frames && { clip, frames };
   });
   effect(() => {
     const wanted = wish.value;

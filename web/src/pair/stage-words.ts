@@ -1,5 +1,6 @@
 /** A stage of the pair page and the state in; what is written over it out. */
 import type { Context } from '../app/context';
+import type { Words } from '../app/i18n/catalogue';
 import { posture } from '../app/posture';
 import { captionOf, type Caption } from '../study/caption';
 import type { Trouble } from '../study/load-stage';
@@ -49,11 +50,24 @@ function plate({ store, language }: Context, clip: PairClip): PlateProps {
 export function captionAt({ language }: Context, state: PairState, place: number): Caption | null {
   const clip = state.clips.value[place];
   if (!clip) return null;
-  const words = language.words.value;
-  const current = state.currentKeyposes.value[place] ?? null;
+  const frame = state.moment.value.frames[place] ?? 0;
+  return captionOfClip(
+    language.words.value,
+    clip,
+    frame,
+    state.currentKeyposes.value[place] ?? null,
+  );
+}
+
+export function captionOfClip(
+  words: Words,
+  clip: PairClip,
+  frame: number,
+  current: number | null,
+): Caption {
   const postures = clip.performer.keyposes?.postures ?? [];
   return captionOf(words, {
-    frame: state.moment.value.frames[place] ?? 0,
+    frame,
     frameTimeS: clip.frameTimeS,
     keyposes: clip.keyposes,
     current,

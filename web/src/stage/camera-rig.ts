@@ -4,11 +4,13 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { FollowPoint } from './follow';
 import {
   eased,
+  eyeOf,
   type Framing,
   LENS_DEGREES,
   type Look,
   mixViews,
   shortestTurn,
+  type Stance,
   type View,
 } from './view';
 
@@ -74,6 +76,24 @@ export class CameraRig {
   }
   get targetZ(): number {
     return this.controls.target.z;
+  }
+
+  /** Where the camera stands, beside what was framed for it; at the end of a move that is under way. */
+  get stance(): Stance {
+    const { targetX, targetY, targetZ, distance } = this.follow;
+    if (this.progress < 1) Object.assign(this.now, this.to);
+    else this.readView(this.now);
+    const { now } = this;
+    return {
+      framed: { targetX, targetY, targetZ, distance },
+      aspect: this.camera.aspect,
+      yawRad: now.yawRad,
+      elevationRad: now.elevationRad,
+      zoom: now.distance / distance,
+      offsetX: now.targetX - targetX,
+      offsetY: now.targetY - targetY,
+      offsetZ: now.targetZ - targetZ,
+    };
   }
 
   setAspect(aspect: number): void {
@@ -173,13 +193,8 @@ export class CameraRig {
   }
 
   private apply(view: View): void {
-    const flat = view.distance * Math.cos(view.elevationRad);
     this.controls.target.set(view.targetX, view.targetY, view.targetZ);
-    this.camera.position.set(
-      view.targetX + flat * Math.sin(view.yawRad),
-      view.targetY + view.distance * Math.sin(view.elevationRad),
-      view.targetZ + flat * Math.cos(view.yawRad),
-    );
+    this.camera.position.copy(eyeOf(view));
     this.update();
   }
 

@@ -49,7 +49,7 @@ export class Drawing {
   private readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new StageScene();
-  private readonly rig: CameraRig;
+  readonly rig: CameraRig;
   private readonly quality = new Quality();
   private readonly tags: StageTags;
   private readonly picker: Picker;

@@ -10,4 +10,4 @@ export type {
 } from './stage-props';
 export type { StagePerformer } from './figure-set';
 export type { Theme } from './palette';
-export type { Look, ViewPreset } from './view';
+export type { Look, Stance, ViewPreset } from './view';

@@ -8,9 +8,34 @@ import { layTags, TAG_HEIGHT, type TagArea, type TagPlace } from './tag-layout';
 
 /** Below the place where the figure stands, above its highest joint; CSS pixels, body heights. */
 const BELOW_PX = 16;
-const ABOVE = 0.1;
+export const ABOVE = 0.1;
 const TAG_WIDTH = 16;
 const DIGIT_WIDTH = 7;
+
+const point = new Vector3();
+
+interface Standing {
+  readonly middleX: number;
+  readonly middleZ: number;
+}
+
+export const tagWidth = (text: string): number =>
+  Math.max(TAG_WIDTH, 8 + DIGIT_WIDTH * text.length);
+
+/** Puts a tag where it would like to be: on the ground, or at a height above it; false without a figure or behind the eye. */
+export function aimTag(
+  tag: TagPlace,
+  pose: Standing | null,
+  height: number,
+  camera: PerspectiveCamera,
+  area: TagArea,
+): boolean {
+  if (pose === null) return false;
+  point.set(pose.middleX, height, pose.middleZ).project(camera);
+  tag.x = (point.x * 0.5 + 0.5) * area.width;
+  tag.y = (0.5 - point.y * 0.5) * area.height + (height > 0 ? 0 : BELOW_PX);
+  return Math.abs(point.z) <= 1;
+}
 
 /** While the figures are on their way. */
 const nobody = { pose: null, drawable: false };
@@ -33,7 +58,7 @@ class Tag implements TagPlace {
   setText(text: string): void {
     if (this.element.textContent === text) return;
     this.element.textContent = text;
-    this.width = Math.max(TAG_WIDTH, 8 + DIGIT_WIDTH * text.length);
+    this.width = tagWidth(text);
   }
 
   setTint(tint: number | undefined): void {
@@ -58,8 +83,6 @@ export class StageTags {
   private ghosts: readonly Tag[] = [];
   private letters: readonly Tag[] = [];
   private readonly laid: Tag[] = [];
-  private readonly point = new Vector3();
-
   constructor(target: HTMLElement) {
     this.target = target;
     this.current = new Tag(target, 'span', 'current');
@@ -120,19 +143,14 @@ export class StageTags {
   /** Where the tag would like to be; hidden without a figure or before the eye. */
   private aim(
     tag: Tag,
-    pose: { readonly middleX: number; readonly middleZ: number } | null,
+    pose: Standing | null,
     height: number,
     camera: PerspectiveCamera,
-    { width, height: stageHeight }: TagArea,
+    area: TagArea,
   ): void {
-    const { point } = this;
-    if (pose !== null) point.set(pose.middleX, height, pose.middleZ).project(camera);
-    const shown = pose !== null && Math.abs(point.z) <= 1 && tag.element.textContent !== '';
+    const shown = tag.element.textContent !== '' && aimTag(tag, pose, height, camera, area);
     if (tag.element.hidden === shown) tag.element.hidden = !shown;
-    if (!shown) return;
-    tag.x = (point.x * 0.5 + 0.5) * width;
-    tag.y = (0.5 - point.y * 0.5) * stageHeight + (height > 0 ? 0 : BELOW_PX);
-    this.laid.push(tag);
+    if (shown) this.laid.push(tag);
   }
 
   private lay(area: TagArea): void {

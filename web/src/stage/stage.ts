@@ -3,7 +3,7 @@ import './stage.css';
 import { createDrawing, type Drawing, noMetrics } from './drawing';
 import type { Frames } from './figure-set';
 import type { StageMetrics, StageProps } from './stage-props';
-import type { Look, ViewPreset } from './view';
+import type { Look, Stance, ViewPreset } from './view';
 
 /**
  * A view: `update` changes properties, `show` asks for a frame, `destroy` ends it. Nothing is drawn
@@ -48,6 +48,11 @@ export class Stage {
   /** Looks from where another stage's camera does. */
   lookFrom(look: Look): void {
     this.drawing?.lookFrom(look);
+  }
+
+  /** From where it looks; null where nothing can be drawn. */
+  stance(): Stance | null {
+    return this.drawing?.rig.stance ?? null;
   }
 
   /** Shows and draws a frame at once, not with the browser's next: for measurements. */

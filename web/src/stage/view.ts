@@ -49,6 +49,42 @@ export interface Place {
 /** What of a view follows the figures: where it looks and from how far away. */
 export type Framing = Pick<View, 'distance' | 'targetX' | 'targetY' | 'targetZ'>;
 
+/** A view beside what was framed for the camera: the same stance can be taken before other figures, in another shape. */
+export interface Stance {
+  readonly framed: Framing;
+  /** Width / height of the picture it was framed for. */
+  readonly aspect: number;
+  readonly yawRad: number;
+  readonly elevationRad: number;
+  /** How many times as far away as framed. */
+  readonly zoom: number;
+  readonly offsetX: number;
+  readonly offsetY: number;
+  readonly offsetZ: number;
+}
+
+export function viewOf(stance: Stance, framed: Framing): View {
+  const { yawRad, elevationRad, zoom, offsetX, offsetY, offsetZ } = stance;
+  return {
+    yawRad,
+    elevationRad,
+    distance: framed.distance * zoom,
+    targetX: framed.targetX + offsetX,
+    targetY: framed.targetY + offsetY,
+    targetZ: framed.targetZ + offsetZ,
+  };
+}
+
+/** Where the eye is. */
+export function eyeOf(view: View): { readonly x: number; readonly y: number; readonly z: number } {
+  const flat = view.distance * Math.cos(view.elevationRad);
+  return {
+    x: view.targetX + flat * Math.sin(view.yawRad),
+    y: view.targetY + view.distance * Math.sin(view.elevationRad),
+    z: view.targetZ + flat * Math.cos(view.yawRad),
+  };
+}
+
 /** The preset's view of the figures; `aspect` is width / height of the stage. */
 export function presetView(
   preset: ViewPreset,

@@ -8,6 +8,7 @@ import { createFormat, type Format } from '../format';
 import type { en } from './en';
 import type { englishCompare } from './en-compare';
 import type { englishDistance } from './en-distance';
+import type { englishFilm } from './en-film';
 import type { englishMatrix } from './en-matrix';
 import type { englishPair } from './en-pair';
 import type { Message } from './message';
@@ -16,6 +17,7 @@ import type { Message } from './message';
 export type SetMessageKey =
   | keyof typeof englishCompare
   | keyof typeof englishDistance
+  | keyof typeof englishFilm
   | keyof typeof englishMatrix
   | keyof typeof englishPair;
 

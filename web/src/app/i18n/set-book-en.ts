@@ -2,6 +2,7 @@
 import type { Book, SetMessageKey } from './catalogue';
 import { englishCompare } from './en-compare';
 import { englishDistance } from './en-distance';
+import { englishFilm } from './en-film';
 import { englishMatrix } from './en-matrix';
 import { englishPair } from './en-pair';
 import type { Message } from './message';
@@ -9,6 +10,7 @@ import type { Message } from './message';
 const messages: Readonly<Record<SetMessageKey, Message>> = {
   ...englishCompare,
   ...englishDistance,
+  ...englishFilm,
   ...englishMatrix,
   ...englishPair,
 };

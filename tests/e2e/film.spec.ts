@@ -1,0 +1,164 @@
+/** The pair as film: a WebM by time, not by screen; its length, size and moments; cancelled; where no encoder is. */
+import { readFileSync } from 'node:fs';
+import type { Download, Page } from '@playwright/test';
+import type { AppPage } from './support/app-page';
+import { sampleFiles } from './support/motions';
+import { expect, test } from './support/test';
+
+const walk = 'walk-hik-30';
+const run = 'run-hik-30';
+
+/** A short stretch of the pair, in frames of A. */
+async function openStretch(app: AppPage, frames: number): Promise<void> {
+  const { page } = app;
+  await app.openWith(...sampleFiles(walk, run));
+  await page.locator('.page-tab', { hasText: 'Pair' }).click();
+  await page.getByRole('button', { name: 'Start', exact: true }).click();
+  for (const key of ['Home', '[', ...Array<string>(frames).fill('ArrowRight'), ']'])
+    await page.keyboard.press(key);
+}
+
+const film = (page: Page) => page.locator('#film-button');
+const panel = (page: Page) => page.getByRole('dialog', { name: 'Pair as film' });
+const choose = (page: Page, name: string) =>
+  panel(page).getByRole('button', { name, exact: true }).click();
+
+async function made(page: Page): Promise<Download> {
+  const download = page.waitForEvent('download', { timeout: 200_000 });
+  await choose(page, 'Save film');
+  return download;
+}
+
+interface Played {
+  readonly lengthS: number;
+  readonly width: number;
+  readonly height: number;
+  /** How much the picture in the middle differs from the first, of 255 at every pixel. */
+  readonly differs: number;
+}
+
+/** Plays a film in a page of its own. */
+async function play(page: Page, bytes: Buffer): Promise<Played> {
+  const other = await page.context().newPage();
+  const played = await other.evaluate(async (text) => {
+    const own = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const video = document.createElement('video');
+    video.src = URL.createObjectURL(new Blob([own], { type: 'video/webm' }));
+    await new Promise((resolve, reject) => {
+      video.onloadeddata = resolve;
+      video.onerror = () => reject(new Error(video.error?.message));
+    });
+    const { videoWidth: width, videoHeight: height, duration: lengthS } = video;
+    const context = new OffscreenCanvas(width, height).getContext('2d')!;
+    const pixels = async (timeS: number) => {
+      const there = new Promise((resolve) => (video.onseeked = resolve));
+      video.currentTime = timeS;
+      await there;
+      context.drawImage(video, 0, 0);
+      return context.getImageData(0, 0, width, height).data;
+    };
+    const first = await pixels(0.001);
+    const middle = await pixels(lengthS / 2);
+    const sum = first.reduce((all, value, i) => all + Math.abs(value - middle[i]), 0);
+    return { lengthS, width, height, differs: sum / first.length };
+  }, bytes.toString('base64'));
+  await other.close();
+  return played;
+}
+
+test('a film of the pair plays: as long, as large and as moved as it should be', async ({
+  app,
+  page,
+}) => {
+  test.setTimeout(300_000);
+  await openStretch(app, 6);
+  await film(page).focus();
+  await page.keyboard.press('Enter');
+  await expect(panel(page)).toContainText('0.23 s · 7 frames');
+  await expect(panel(page)).toContainText('A–B, 0.00 to 0.20 s');
+  await choose(page, '25');
+  await expect(panel(page)).toContainText('0.24 s · 6 frames');
+  const download = await made(page);
+  expect(download.suggestedFilename()).toBe(`${walk} with ${run}.webm`);
+  await expect(app.toast).toHaveText(`${walk} with ${run}.webm saved`);
+  await expect(film(page)).toHaveText('Film');
+  const bytes = readFileSync(await download.path());
+  expect(bytes.subarray(0, 4).toString('hex')).toBe('1a45dfa3');
+  const { lengthS, width, height, differs } = await play(page, bytes);
+  expect([width, height]).toEqual([1280, 720]);
+  expect(lengthS).toBeCloseTo(0.24, 3);
+  expect(differs).toBeGreaterThan(0.2);
+});
+
+/** Tells of every picture that goes into the encoder: when it is, and what is on it. */
+async function watchPictures(page: Page): Promise<() => Promise<[time: number, hash: number][]>> {
+  await page.addInitScript(() => {
+    const pictures: [number, number][] = [];
+    Object.assign(window, { pictures });
+    const own = Object.getOwnPropertyDescriptor(VideoEncoder.prototype, 'encode')!;
+    VideoEncoder.prototype.encode = function (frame, options) {
+      const { displayWidth: width, displayHeight: height } = frame;
+      const context = new OffscreenCanvas(width, height).getContext('2d')!;
+      context.drawImage(frame, 0, 0);
+      const { data } = context.getImageData(0, 0, width, height);
+      const hash = data.reduce((all, value) => (Math.imul(all, 31) + value) | 0, 7);
+      pictures.push([frame.timestamp, hash]);
+      Reflect.apply(own.value as VideoEncoder['encode'], this, [frame, options]);
+    };
+  });
+  return () =>
+    page.evaluate(() => (window as unknown as { pictures: [number, number][] }).pictures.splice(0));
+}
+
+test('its pictures go by time: the same in another window and while the pair plays', async ({
+  app,
+  page,
+}) => {
+  test.setTimeout(300_000);
+  const pictures = await watchPictures(page);
+  await openStretch(app, 3);
+  await film(page).click();
+  await made(page);
+  const once = await pictures();
+  expect(once.map(([time]) => time)).toEqual([0, 33_333, 66_667, 100_000]);
+  expect(new Set(once.map(([, hash]) => hash)).size).toBe(4);
+  await page.setViewportSize({ width: 1100, height: 700 });
+  await page.keyboard.press('Escape');
+  await film(page).click();
+  const download = page.waitForEvent('download', { timeout: 200_000 });
+  await choose(page, 'Save film');
+  await page.keyboard.press('Space');
+  await download;
+  expect(await pictures()).toEqual(once);
+});
+
+test('a cancelled film leaves no file and a page that goes on', async ({ app, page }) => {
+  test.setTimeout(180_000);
+  await openStretch(app, 20);
+  let files = 0;
+  page.on('download', () => files++);
+  await film(page).click();
+  await choose(page, '60');
+  await choose(page, 'Save film');
+  await expect(film(page)).toHaveText('Cancel the film');
+  await expect(page.locator('.film-count')).toHaveText(/^Frame [1-9]\d* of 41$/);
+  await film(page).click();
+  await expect(film(page)).toHaveText('Film');
+  await expect(page.locator('.film-progress')).toHaveCount(0);
+  await page.keyboard.press('Home');
+  await page.keyboard.press('ArrowRight');
+  await expect(page.locator('.pair-clock .clock-time').first()).toHaveText('0.03');
+  await page.waitForTimeout(1000);
+  expect(files).toBe(0);
+  await expect(app.toast).toHaveCount(0);
+});
+
+test('a browser without an encoder says so', async ({ app, page }) => {
+  await page.addInitScript(() => {
+    delete (window as { VideoEncoder?: unknown }).VideoEncoder;
+  });
+  await app.openWith(...sampleFiles(walk, run));
+  await page.locator('.page-tab', { hasText: 'Pair' }).click();
+  await expect(film(page)).toBeDisabled();
+  await expect(film(page)).toHaveAccessibleDescription(/This browser cannot encode films/);
+});

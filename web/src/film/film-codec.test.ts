@@ -1,0 +1,26 @@
+import { expect, test } from 'vitest';
+import { filmCodecs } from './film-codec';
+import { filmShape } from './film-shape';
+
+const codecOf = (height: number, rate_hz: number): string =>
+  filmCodecs(filmShape(height, rate_hz))[0].config.codec;
+
+test('a film is as wide as it is high in 16 : 9, even in pixels', () => {
+  expect(filmShape(720, 30)).toEqual({ width: 1280, height: 720, rate_hz: 30 });
+  expect(filmShape(1080, 60)).toEqual({ width: 1920, height: 1080, rate_hz: 60 });
+});
+
+test('the level of VP9 is the lowest that holds the film', () => {
+  expect(codecOf(720, 30)).toBe('vp09.00.31.08');
+  expect(codecOf(720, 60)).toBe('vp09.00.40.08');
+  expect(codecOf(1080, 30)).toBe('vp09.00.40.08');
+  expect(codecOf(1080, 60)).toBe('vp09.00.41.08');
+});
+
+test('VP8 stands in for VP9', () => {
+  const kinds = filmCodecs(filmShape(720, 25)).map(({ webm, config }) => [webm, config.codec]);
+  expect(kinds).toEqual([
+    ['V_VP9', 'vp09.00.31.08'],
+    ['V_VP8', 'vp8'],
+  ]);
+});

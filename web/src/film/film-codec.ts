@@ -1,0 +1,60 @@
+/** The shape of a film in; how this browser encodes it out. VP9, or VP8 where there is no VP9. */
+import type { FilmShape } from './film-shape';
+import type { WebmTrack } from './webm';
+
+export interface FilmCodec {
+  readonly webm: WebmTrack['codec'];
+  readonly config: VideoEncoderConfig;
+}
+
+/** Smooth grounds and thin lines: less shows bands around the figures. */
+const BITS_PER_PIXEL = 0.15;
+
+/** Levels of VP9: how many pixels a second, how many a picture. */
+const LEVELS: readonly (readonly [name: string, perSecond: number, perPicture: number])[] = [
+  ['30', 20_736_000, 552_960],
+  ['31', 36_864_000, 983_040],
+  ['40', 83_558_400, 2_228_224],
+  ['41', 160_432_128, 2_228_224],
+  ['50', 311_951_360, 8_912_896],
+];
+
+function vp9({ width, height, rate_hz }: FilmShape): string {
+  const pixels = width * height;
+  const fits = LEVELS.find(([, most, large]) => pixels * rate_hz <= most && pixels <= large);
+  return `vp09.00.${(fits ?? LEVELS[LEVELS.length - 1])[0]}.08`;
+}
+
+/** The better first. */
+export function filmCodecs(shape: FilmShape): FilmCodec[] {
+  const { width, height, rate_hz } = shape;
+  const config = (codec: string): VideoEncoderConfig => ({
+    codec,
+    width,
+    height,
+    framerate: rate_hz,
+    bitrate: Math.round(width * height * rate_hz * BITS_PER_PIXEL),
+    bitrateMode: 'variable',
+    latencyMode: 'quality',
+    alpha: 'discard',
+  });
+  return [
+    { webm: 'V_VP9', config: config(vp9(shape)) },
+    { webm: 'V_VP8', config: config('vp8') },
+  ];
+}
+
+/** The browser has an encoder at all. */
+export const hasEncoder = (): boolean =>
+  typeof VideoEncoder === 'function' && typeof VideoFrame === 'function';
+
+/** null: it encodes no film of this shape. */
+export async function chooseCodec(shape: FilmShape): Promise<FilmCodec | null> {
+  for (const codec of filmCodecs(shape)) {
+    const { supported } = await VideoEncoder.isConfigSupported(codec.config).catch(() => ({
+      supported: false,
+    }));
+    if (supported) return codec;
+  }
+  return null;
+}

@@ -1,0 +1,107 @@
+/** A place at the foot of the pair's panel in; the button that makes a film of the pair, its choices, its progress, out. */
+import '../styles/film.css';
+import { computed, signal, type ReadonlySignal } from '@preact/signals-core';
+import { html, nothing, type TemplateResult } from 'lit-html';
+import type { Context } from '../app/context';
+import type { Words } from '../app/i18n/catalogue';
+import { mount } from '../common/mount';
+import { hasEncoder } from '../film/film-codec';
+import { filmShape } from '../film/film-shape';
+import { filmTimes } from '../film/film-times';
+import { filmButton } from './film-button';
+import { createFilmMaker, type FilmMaker } from './film-maker';
+import { filmPanel, filmPanelId, placeFilmPanel } from './film-panel';
+import { filmWish, stretchOf } from './film-wish';
+import type { PairStages } from './mount-stages';
+import type { PairState } from './pair-state';
+
+const usualShape = filmShape(720, 30);
+
+const panel = (): HTMLElement | null => document.getElementById(filmPanelId);
+const close = (): void => panel()?.hidePopover();
+
+export function mountFilm(
+  place: HTMLElement,
+  context: Context,
+  state: PairState,
+  shown: PairStages,
+): void {
+  const open = signal(false);
+  const maker = createFilmMaker(context, () => filmWish(context, state, shown));
+  const choices = createChoices(state, waitsFor(context, state, shown), maker);
+  const able = hasEncoder();
+  const onToggle = (event: Event): void => {
+    const element = event.currentTarget as HTMLElement;
+    open.value = element.matches(':popover-open');
+    if (open.peek()) requestAnimationFrame(() => placeFilmPanel(element));
+  };
+  mount(place, () => {
+    const words = context.language.words.value;
+    const underWay = maker.underWay.value;
+    place.hidden = state.clips.value.length < 2;
+    const onPress = underWay ? maker.cancel : () => panel()?.togglePopover();
+    return html`${filmButton({ words, underWay, expanded: open.value, able, onPress })}
+      <div
+        id=${filmPanelId}
+        class="film-panel"
+        popover
+        role="dialog"
+        aria-label=${words.t('film.title')}
+        @toggle=${onToggle}
+      >
+        ${open.value ? choices(words) : nothing}
+      </div>`;
+  });
+}
+
+/** The content of the panel, in words. */
+function createChoices(
+  state: PairState,
+  waits: ReadonlySignal<boolean>,
+  { make }: FilmMaker,
+): (words: Words) => TemplateResult {
+  const shape = signal(usualShape);
+  return (words) => {
+    const { count, lengthS } = filmTimes(stretchOf(state), shape.value.rate_hz);
+    return filmPanel({
+      words,
+      shape: shape.value,
+      about: aboutOf(words, state),
+      lengthS,
+      count,
+      waits: waits.value ? words.t('film.waits') : '',
+      onShape: (other) => {
+        shape.value = other;
+      },
+      onSave: () => {
+        close();
+        void make(shape.peek());
+      },
+      onClose: close,
+    });
+  };
+}
+
+/** A path or places that are not known yet would make another film than the one asked for. */
+function waitsFor(
+  { store }: Context,
+  { warpProgress }: PairState,
+  { placements }: PairStages,
+): ReadonlySignal<boolean> {
+  const { superposed, synchronisation } = store.compare;
+  return computed(
+    () =>
+      (synchronisation.value === 'warp' && warpProgress.value !== null) ||
+      (superposed.value && placements.value === null),
+  );
+}
+
+/** "The whole pair · 0.5× speed". */
+function aboutOf({ t, format }: Words, { moment }: PairState): string[] {
+  const { loop, speed } = moment.value;
+  const seconds = (value: number): string => format.decimal(value, 2);
+  return [
+    loop ? t('film.loop', seconds(loop.fromS), seconds(loop.toS)) : t('film.all'),
+    ...(speed === 1 ? [] : [t('film.speed', String(speed))]),
+  ];
+}
