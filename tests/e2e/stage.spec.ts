@@ -2,7 +2,13 @@
 import type { Locator, Page } from '@playwright/test';
 import type { AppPage } from './support/app-page';
 import { watchDrawing } from './support/drawn';
-import { sampleFiles, sampleText, temporaryFolder, tinyBvh, writeFiles } from './support/motions';
+import {
+  sampleFiles,
+  temporaryFolder,
+  tinyBvh,
+  withTwoPerformers,
+  writeFiles,
+} from './support/motions';
 import { expect, test } from './support/test';
 
 // Drawn by software: a small stage, and time.
@@ -16,19 +22,6 @@ async function openDrawn(app: AppPage, ...paths: string[]): Promise<void> {
   await app.drop(...paths);
   await app.settled();
   await expect(app.page.locator('.stage-canvas')).toBeVisible();
-}
-
-/** A sample's body and motion twice, the second beside the first. */
-function twoPerformers(id: string): string {
-  const [head = '', motion = ''] = sampleText(id).split(/^MOTION\s*$/m);
-  const body = head.slice(head.indexOf('ROOT'));
-  const [frames = '', time = '', ...rows] = motion.trim().split('\n');
-  const beside = (row: string): string => {
-    const [x = '0', ...rest] = row.trim().split(/\s+/);
-    return [Number(x) + 120, ...rest].join(' ');
-  };
-  const both = rows.map((row) => `${row.trim()} ${beside(row)}`);
-  return ['HIERARCHY', body + body + 'MOTION', frames, time, ...both, ''].join('\n');
 }
 
 test('ghosts stand at the neighbouring keyposes, with their numbers, until they are turned off', async ({
@@ -159,7 +152,9 @@ test('of several performers one is chosen, by its letter; the caption names it',
   app,
   page,
 }) => {
-  const [path = ''] = writeFiles(temporaryFolder(), { 'two.bvh': twoPerformers('walk-hik-30') });
+  const [path = ''] = writeFiles(temporaryFolder(), {
+    'two.bvh': withTwoPerformers('walk-hik-30'),
+  });
   await openDrawn(app, path);
   await page.keyboard.press('k');
   await expect(app.caption).toContainText('A · Keypose 1 of');

@@ -69,6 +69,19 @@ export function withRestPose(id: string): string {
   return `${more}${Array(width).fill('0').join(' ')}\n${text.slice(at)}`;
 }
 
+/** A sample's body and motion twice, the second beside the first. */
+export function withTwoPerformers(id: string): string {
+  const [head = '', motion = ''] = sampleText(id).split(/^MOTION\s*$/m);
+  const body = head.slice(head.indexOf('ROOT'));
+  const [frames = '', time = '', ...rows] = motion.trim().split('\n');
+  const beside = (row: string): string => {
+    const [x = '0', ...rest] = row.trim().split(/\s+/);
+    return [Number(x) + 120, ...rest].join(' ');
+  };
+  const both = rows.map((row) => `${row.trim()} ${beside(row)}`);
+  return ['HIERARCHY', body + body + 'MOTION', frames, time, ...both, ''].join('\n');
+}
+
 /** A few frames of one joint and its end: read in no time, and not human. */
 export function tinyBvh(frames: number): string {
   const rows = Array.from(

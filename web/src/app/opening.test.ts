@@ -32,3 +32,12 @@ test('a file that was removed while it was read does not open', () => {
   opener.settled(1, 1);
   expect(store.openId.value).toBe(0);
 });
+
+test('beside others that are compared, a file given alone leaves the chosen ones as they are', () => {
+  const { store, opener } = setUp(['a.bvh', 'b.bvh']);
+  opener.started(0);
+  store.compare.page.value = 'pair';
+  opener.started(1);
+  opener.settled(1, 1);
+  expect(store.openId.value).toBe(0);
+});

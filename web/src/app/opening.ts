@@ -1,6 +1,6 @@
 /**
  * Files on their way in; which of them opens by itself out: the first where nothing is open, and if it
- * cannot be read the first that can; and a file that was given alone.
+ * cannot be read the first that can; and, in the study, a file that was given alone.
  */
 import type { ClipId } from '../engine/types';
 import { flushClips } from './clip-changes';
@@ -33,7 +33,7 @@ export function createOpener(store: Store, open: (id: ClipId) => void): Opener {
     settled(id, batchSize) {
       // Taken out of the library while it was read.
       if (store.clips.peek()[id]?.removed) return;
-      if (batchSize === 1) open(id);
+      if (batchSize === 1 && store.compare.page.peek() === 'study') open(id);
       else if (isFailure()) openFirstReady();
     },
     ended() {

@@ -7,18 +7,19 @@ export interface Apart {
   readonly reason: MessageKey;
 }
 
-function reasonOf({ result }: Clip): MessageKey | null {
-  if (!result || result.performers.some(({ feature }) => feature !== null)) return null;
-  if (result.frames === 0) return 'compare.apart.skeleton';
-  if (result.frames === 1) return 'compare.apart.pose';
-  const human = result.performers.some(({ body }) => body.kind === 'human');
+/** Known as soon as a clip of many has been read, before its keyposes are. */
+function reasonOf({ incomparable, extent }: Clip): MessageKey | null {
+  if (!incomparable) return null;
+  if (extent?.frames === 0) return 'compare.apart.skeleton';
+  if (extent?.frames === 1) return 'compare.apart.pose';
+  const human = incomparable.kind !== 'not-human-to-compare';
   return human ? 'compare.apart.unknown' : 'compare.apart.not-human';
 }
 
 /** What could not be read has its reason in the library. */
 export function clipsApart(clips: readonly Clip[]): readonly Apart[] {
   return clips.flatMap((clip) => {
-    const reason = clip.status === 'ready' ? reasonOf(clip) : null;
+    const reason = clip.status === 'failed' ? null : reasonOf(clip);
     return reason ? [{ clip, reason }] : [];
   });
 }
