@@ -70,8 +70,13 @@ it('gives the files of the command line', async ({ skip }) => {
     set.begin(settings, false);
     while (set.step() < 1);
     const clusters = set.comparison(settings).automaticClusters;
-    const textOf = (kind: ComparisonExportKind) =>
-      set.exportFile(kind, { clusters, labels }).text();
+    const textOf = (kind: ComparisonExportKind): Promise<string> => {
+      const file = set.file(kind, { clusters, labels });
+      while (file.step() < 1);
+      const blob = file.take();
+      file.free();
+      return blob.text();
+    };
     for (const { kind, command } of files) {
       const expected = runCommand([...command, ...options, ...paths]);
       if (expected === null) return skip();

@@ -1,38 +1,34 @@
 //! One set of clips: features go in clip by clip, its comparison is made step by step, and arrays and
-//! short texts come out.
+//! short texts come out; what takes longer comes out of handles of its own.
 
+use std::collections::HashSet;
 use std::rc::Rc;
 
-use comparison::comparison::{Comparison, Evaluation};
-use comparison::evaluation::{self, OneNearest};
+use comparison::comparison::{CannotCompare, Comparison};
 use comparison::map::Place;
-use comparison::picture::{Picture, PictureRun, Region};
-use comparison::report::{Labels, Subject};
 use comparison::run::ComparisonRun;
 use wasm_bindgen::JsError;
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use crate::answers::{EvaluationHandle, ExplanationHandle};
 use crate::clips::{self, NamedClip};
+use crate::compared::Compared;
+use crate::file_handle::FileHandle;
+use crate::picture_handle::PictureHandle;
 use crate::places::Places;
 use crate::settings::{self, JsSettings};
-use crate::{exports, failure, texts};
-
-/// Cells of a picture that are looked at in one step.
-const CELLS_A_STEP: usize = 1 << 19;
+use crate::{failure, texts};
 
 /// One set in this memory. Free it once, with `free()`. All that speaks of clips and items speaks of
-/// the latest comparison that is done; items count from 0 in the order of `clips()`.
+/// the latest comparison that is done; items count from 0 in the order of `clips()`. A handle that it
+/// gives keeps the comparison of which it speaks.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct ComparisonHandle {
     clips: Vec<NamedClip>,
     run: Option<Run>,
-    compared: Option<Compared>,
+    compared: Option<Rc<Compared>>,
     places: Places,
-    picturing: Option<PictureRun>,
-    picture: Picture,
-    /// The labels last evaluated, and what came of it: a cut that is drawn along asks again and again.
-    one_nearest: Option<(Vec<Option<usize>>, OneNearest)>,
 }
 
 /// A comparison that is being made.
@@ -41,12 +37,6 @@ struct Run {
     clips: Vec<NamedClip>,
     /// Whether clips stay where they lie.
     keeps_places: bool,
-}
-
-/// A comparison and the clips that its items are.
-struct Compared {
-    comparison: Comparison,
-    clips: Vec<NamedClip>,
 }
 
 #[wasm_bindgen]
@@ -88,11 +78,14 @@ impl ComparisonHandle {
         Ok(())
     }
 
-    /// Takes the feature of a clip away.
-    #[wasm_bindgen(js_name = removeFeature)]
-    pub fn remove_feature(&mut self, id: i32) {
-        self.clips.retain(|clip| clip.id != id);
-        self.places.leave(id);
+    /// Takes the features of clips away.
+    #[wasm_bindgen(js_name = removeFeatures)]
+    pub fn remove_features(&mut self, ids: &[i32]) {
+        let gone: HashSet<i32> = ids.iter().copied().collect();
+        self.clips.retain(|clip| !gone.contains(&clip.id));
+        for id in gone {
+            self.places.leave(id);
+        }
     }
 
     /// Tells where a clip lay on a map made by another handle: the next layout is turned onto it.
@@ -114,7 +107,7 @@ impl ComparisonHandle {
         let features = self.clips.iter().map(|clip| Rc::clone(&clip.feature));
         let run = ComparisonRun::new(features.collect(), settings);
         self.run = Some(Run {
-            run: run.map_err(|error| failure::misuse(&error.to_string()))?,
+            run: run.map_err(|error| cannot_compare(&error))?,
             clips: self.clips.clone(),
             keeps_places: keeps_places && self.places.fit(settings.distance),
         });
@@ -243,65 +236,20 @@ impl ComparisonHandle {
         Ok(self.comparison()?.tree.cut_height(clusters as usize))
     }
 
-    /// Makes ready to picture the cells of these items, from top to bottom and from left to right, as at
-    /// most `most` × `most` pixels.
-    #[wasm_bindgen(js_name = beginPicture)]
-    pub fn begin_picture(
-        &mut self,
+    /// The cells of these items, from top to bottom and from left to right, as at most `most` × `most`
+    /// pixels.
+    pub fn picture(
+        &self,
         rows: &[i32],
         columns: &[i32],
         most: u32,
-    ) -> Result<(), JsError> {
-        let comparison = self.comparison()?;
-        let items = comparison.clips.len();
-        let region = Region {
-            rows: items_of(rows, items)?,
-            columns: items_of(columns, items)?,
-            most: most as usize,
-        };
-        self.picturing = Some(PictureRun::new(&comparison.distances, region));
-        Ok(())
+    ) -> Result<PictureHandle, JsError> {
+        PictureHandle::new(self.compared()?, rows, columns, most)
     }
 
-    /// A few milliseconds of work on the picture. Returns the part done; 1 when it is there.
-    #[wasm_bindgen(js_name = stepPicture)]
-    pub fn step_picture(&mut self) -> Result<f64, JsError> {
-        let Some(mut run) = self.picturing.take() else {
-            return Err(failure::misuse("stepPicture: beginPicture must come first"));
-        };
-        let done = run.step(&self.comparison()?.distances, CELLS_A_STEP);
-        match done < 1.0 {
-            true => self.picturing = Some(run),
-            false => self.picture = run.finish(),
-        }
-        Ok(done)
-    }
-
-    /// Rows of the picture.
-    #[wasm_bindgen(js_name = pictureRows)]
-    pub fn picture_rows(&self) -> u32 {
-        self.picture.rows as u32
-    }
-
-    /// Columns of the picture.
-    #[wasm_bindgen(js_name = pictureColumns)]
-    pub fn picture_columns(&self) -> u32 {
-        self.picture.columns as u32
-    }
-
-    /// Hands the picture over: mean distances, row by row.
-    #[wasm_bindgen(js_name = takePicture)]
-    pub fn take_picture(&mut self) -> Vec<f32> {
-        std::mem::take(&mut self.picture).values
-    }
-
-    /// Why two clips differ, as JSON.
-    pub fn explain(&self, a: i32, b: i32) -> Result<String, JsError> {
-        let compared = self.compared()?;
-        let (a, b) = (compared.item(a)?, compared.item(b)?);
-        let comparison = &compared.comparison;
-        let found = comparison.explain(a, b);
-        Ok(texts::explanation(&found, comparison.ranks(a, b)).text())
+    /// Why two clips differ.
+    pub fn explain(&self, a: i32, b: i32) -> Result<ExplanationHandle, JsError> {
+        ExplanationHandle::new(self.compared()?, a, b)
     }
 
     /// The clips nearest to one, as JSON.
@@ -309,55 +257,27 @@ impl ComparisonHandle {
         let compared = self.compared()?;
         let found = compared
             .comparison
-            .neighbours(compared.item(clip)?, most as usize);
+            .neighbours(compared.item_of(clip)?, most as usize);
         Ok(texts::neighbours(&found, |item| compared.clips[item].id).text())
     }
 
-    /// How well the distance and a cut tell labels apart, as JSON. `labels`: the label of each item,
-    /// from 0; below 0: none.
-    pub fn evaluate(&mut self, labels: &[i32], clusters: u32) -> Result<String, JsError> {
-        let labels = labels_of(labels, self.comparison()?.clips.len())?;
-        let one_nearest = match self.one_nearest.take() {
-            Some((last, found)) if last == labels => found,
-            _ => self.comparison()?.one_nearest(&labels),
-        };
-        let compared = self.compared()?;
-        let cut = compared.comparison.cut(clusters as usize);
-        let scores = evaluation::clustering(&cut.cluster_of_item, &labels);
-        let found = Evaluation {
-            one_nearest,
-            scores,
-        };
-        let text = texts::evaluation(&found, |item| compared.clips[item].id).text();
-        self.one_nearest = Some((labels, found.one_nearest));
-        Ok(text)
+    /// How well the distance and a cut tell labels apart. `labels`: the label of each item, from 0;
+    /// below 0: none.
+    pub fn evaluate(&self, labels: &[i32], clusters: u32) -> Result<EvaluationHandle, JsError> {
+        EvaluationHandle::new(self.compared()?, labels, clusters)
     }
 
-    /// The bytes of a file: `kind` is `features-csv`, `features-npy`, `matrix-csv`, `matrix-npy`,
-    /// `tree-newick`, `evaluation-csv` or `evaluation-json`. `names` are the labels that `labels`, one
-    /// for each item and below 0 where there is none, speaks of.
-    #[wasm_bindgen(js_name = exportFile)]
-    pub fn export_file(
+    /// A file: `kind` is `features-csv`, `features-npy`, `matrix-csv`, `matrix-npy`, `tree-newick`,
+    /// `evaluation-csv` or `evaluation-json`. `names` are the labels that `labels`, one for each item and
+    /// below 0 where there is none, speaks of.
+    pub fn file(
         &self,
         kind: &str,
         names: Vec<String>,
         labels: &[i32],
         clusters: u32,
-    ) -> Result<Vec<u8>, JsError> {
-        let Compared { comparison, clips } = self.compared()?;
-        let labels = Labels {
-            names,
-            of_item: labels_of(labels, clips.len())?,
-        };
-        let names: Vec<String> = clips.iter().map(|clip| clip.name.clone()).collect();
-        let subject = Subject {
-            names: &names,
-            comparison,
-            cut: &comparison.cut(clusters as usize),
-            labels: Some(&labels),
-        };
-        let bytes = exports::bytes(kind, &subject);
-        bytes.ok_or_else(|| failure::misuse(&format!("exportFile: unknown kind {kind}")))
+    ) -> Result<FileHandle, JsError> {
+        FileHandle::new(self.compared()?, kind, names, labels, clusters)
     }
 }
 
@@ -372,22 +292,20 @@ impl ComparisonHandle {
             true => places.keep(map, &clips),
             false => places.lay_out(distance, map, &clips, &self.clips),
         };
-        self.one_nearest = None;
-        self.picturing = None;
-        self.compared = Some(Compared { comparison, clips });
+        self.compared = Some(Rc::new(Compared { comparison, clips }));
     }
 
     /// The clips told that the comparison made last does not cover, with their places.
     fn arrived(&self) -> impl Iterator<Item = (i32, Place)> {
         let covers = |clip: &NamedClip| {
             let compared = self.compared.as_ref();
-            compared.is_some_and(|compared| compared.item(clip.id).is_ok())
+            compared.is_some_and(|compared| compared.item(clip.id).is_some())
         };
         let arrived = self.clips.iter().filter(move |clip| !covers(clip));
         arrived.filter_map(|clip| Some((clip.id, self.places.of(clip)?)))
     }
 
-    fn compared(&self) -> Result<&Compared, JsError> {
+    fn compared(&self) -> Result<&Rc<Compared>, JsError> {
         let compared = self.compared.as_ref();
         compared.ok_or_else(|| failure::misuse("there is no comparison yet"))
     }
@@ -397,27 +315,9 @@ impl ComparisonHandle {
     }
 }
 
-impl Compared {
-    fn item(&self, clip: i32) -> Result<usize, JsError> {
-        let item = self.clips.binary_search_by_key(&clip, |one| one.id);
-        item.map_err(|_| failure::misuse(&format!("clip {clip} is not in the comparison")))
+fn cannot_compare(error: &CannotCompare) -> JsError {
+    match error {
+        CannotCompare::Settings(error) => failure::misuse(&error.to_string()),
+        CannotCompare::Memory(pairs) => failure::too_many_pairs(pairs),
     }
-}
-
-/// Items by their numbers.
-fn items_of(numbers: &[i32], items: usize) -> Result<Vec<usize>, JsError> {
-    let item = |number: &i32| usize::try_from(*number).ok().filter(|item| *item < items);
-    let found: Option<Vec<usize>> = numbers.iter().map(item).collect();
-    found.ok_or_else(|| failure::misuse("an item that is not in the comparison"))
-}
-
-/// Labels by their numbers, one for each item.
-fn labels_of(numbers: &[i32], items: usize) -> Result<Vec<Option<usize>>, JsError> {
-    if numbers.len() != items {
-        return Err(failure::misuse("as many labels as items are needed"));
-    }
-    Ok(numbers
-        .iter()
-        .map(|number| usize::try_from(*number).ok())
-        .collect())
 }

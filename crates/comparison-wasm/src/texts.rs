@@ -1,7 +1,8 @@
 //! What is said of a pair and of an evaluation, as JSON: the shapes of `comparison-raw.ts`.
 
-use comparison::comparison::{Evaluation, Neighbour, Ranks};
+use comparison::comparison::{Evaluation, Neighbour};
 use comparison::explanation::{Explanation, Half, Sentence, Which};
+use comparison::ranks::Ranks;
 use result_text::json::Json;
 
 /// The explanation of a pair.

@@ -35,6 +35,15 @@ impl Blocks {
 
     /// Writes the distances of `vector` to the vectors from `first` on, as many as `out` holds.
     pub fn distances(&self, vector: &Vector, first: usize, out: &mut [f64]) {
+        self.each(vector, first, out, |_, distance| distance);
+    }
+
+    /// The same, where a distance is smaller than what stands there.
+    pub fn lessen(&self, vector: &Vector, first: usize, out: &mut [f64]) {
+        self.each(vector, first, out, f64::min);
+    }
+
+    fn each(&self, vector: &Vector, first: usize, out: &mut [f64], put: impl Fn(f64, f64) -> f64) {
         let from = vector.map(f64x4::splat);
         let count = out.len().min(self.items.saturating_sub(first));
         let mut done = 0;
@@ -43,7 +52,9 @@ impl Blocks {
             let (block, lane) = (place / LANES, place % LANES);
             let values = distances(&from, &self.blocks[block]);
             let take = (LANES - lane).min(count - done);
-            out[done..done + take].copy_from_slice(&values[lane..lane + take]);
+            for (out, value) in out[done..done + take].iter_mut().zip(&values[lane..]) {
+                *out = put(*out, *value);
+            }
             done += take;
         }
     }

@@ -1,13 +1,15 @@
 //! A set of clips compared: what is asked of it goes in, cuts, neighbours and places among all pairs
 //! come out. Items are the clips, from 0 in their order.
 
+use core::fmt::{self, Display, Formatter};
 use std::rc::Rc;
 
+use crate::condensed::TooManyPairs;
 use crate::cut::{bic, mojena};
 use crate::dendrogram::Dendrogram;
 use crate::distance::Measured;
 use crate::distances::Distances;
-use crate::evaluation::{self, OneNearest, Scores};
+use crate::evaluation::{OneNearest, OneNearestRun, Scores};
 use crate::explanation::{self, Explanation};
 use crate::feature::{ClipFeature, Vector};
 use crate::leaf_order::Order;
@@ -39,6 +41,42 @@ pub struct Comparison {
     pub bic: Vec<f64>,
 }
 
+/// Why clips cannot be compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CannotCompare {
+    /// The settings do not go together.
+    Settings(SettingsError),
+    /// Memory for all pairs is needed, as by the group average.
+    Memory(TooManyPairs),
+}
+
+impl From<SettingsError> for CannotCompare {
+    fn from(error: SettingsError) -> Self {
+        Self::Settings(error)
+    }
+}
+
+impl From<TooManyPairs> for CannotCompare {
+    fn from(error: TooManyPairs) -> Self {
+        Self::Memory(error)
+    }
+}
+
+impl Display for CannotCompare {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Settings(error) => error.fmt(f),
+            Self::Memory(TooManyPairs { items, bytes }) => write!(
+                f,
+                "the group average of {items} clips needs {} MB of memory, more than there is: take Ward's method",
+                bytes.div_ceil(1_000_000)
+            ),
+        }
+    }
+}
+
+impl core::error::Error for CannotCompare {}
+
 /// The partition at a cut.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cut {
@@ -61,17 +99,6 @@ pub struct Neighbour {
     pub mirrored: bool,
 }
 
-/// Places of a pair, from 1, the most alike first; of equals all have the best.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Ranks {
-    /// Among all pairs.
-    pub of_all: usize,
-    /// Of the second among the neighbours of the first.
-    pub from_a: usize,
-    /// Of the first among the neighbours of the second.
-    pub from_b: usize,
-}
-
 /// How well the distance, and a cut, tell labels apart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evaluation {
@@ -85,8 +112,8 @@ impl Comparison {
     /// Compares clips at once; in pieces: [`ComparisonRun`].
     ///
     /// # Errors
-    /// Settings that do not go together.
-    pub fn of(clips: Vec<Rc<ClipFeature>>, settings: Settings) -> Result<Self, SettingsError> {
+    /// Settings that do not go together; not enough memory for all pairs.
+    pub fn of(clips: Vec<Rc<ClipFeature>>, settings: Settings) -> Result<Self, CannotCompare> {
         Ok(ComparisonRun::new(clips, settings)?.finish())
     }
 
@@ -127,39 +154,17 @@ impl Comparison {
         others.map(neighbour).collect()
     }
 
-    /// Each labelled item held against the nearest other one; one label an item.
+    /// Each labelled item held against the nearest other one; one label an item, or none at all. In
+    /// pieces: [`OneNearestRun`].
     pub fn one_nearest(&self, labels: &[Option<usize>]) -> OneNearest {
-        // All pairs of one item are asked for after each other: a row at once is quicker.
-        let (mut of, mut row) = (usize::MAX, Vec::new());
-        evaluation::leave_one_out(labels, |a, b| {
-            if of != a {
-                (of, row) = (a, self.distances.to_later(a));
-            }
-            row[b - a - 1]
-        })
+        let mut run = OneNearestRun::new(labels.to_vec());
+        while run.step(&self.distances, &self.spread, usize::MAX) < 1.0 {}
+        run.finish()
     }
 
     /// Why two items differ.
     pub fn explain(&self, a: usize, b: usize) -> Explanation {
         explanation::explain(self.settings.distance, &self.clips[a], &self.clips[b])
-    }
-
-    /// The places of two different items.
-    pub fn ranks(&self, a: usize, b: usize) -> Ranks {
-        let value = self.distances.at(a, b);
-        let nearer = |row: Vec<f64>| row.iter().filter(|other| **other < value).count();
-        let others_nearer = |item: usize| {
-            let row = self.distances.row(item).into_iter().enumerate();
-            let others = row.filter(|(other, _)| *other != item);
-            nearer(others.map(|(_, distance)| distance).collect())
-        };
-        let rows = 0..self.clips.len();
-        let of_all: usize = rows.map(|row| nearer(self.distances.to_later(row))).sum();
-        Ranks {
-            of_all: of_all + 1,
-            from_a: others_nearer(a) + 1,
-            from_b: others_nearer(b) + 1,
-        }
     }
 }
 

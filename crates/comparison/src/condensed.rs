@@ -1,6 +1,10 @@
 //! Distances of all pairs of `items` things, as SciPy keeps them: in a row for every thing, only the
 //! pairs with a later one.
 
+mod keeping;
+
+pub(crate) use keeping::Keeping;
+
 use crate::distance::euclidean;
 use crate::feature::{FEATURE_LENGTH, Vector};
 use std::array;
@@ -22,10 +26,45 @@ pub fn index(items: usize, row: usize, column: usize) -> usize {
     row * (2 * items - row - 1) / 2 + column - row - 1
 }
 
+/// How many pairs so many things have. No step on the way is larger than the pairs.
+#[must_use]
+pub fn pairs(items: usize) -> usize {
+    match items % 2 {
+        0 => items / 2 * items.saturating_sub(1),
+        _ => items * (items / 2),
+    }
+}
+
+/// All pairs need more memory than there is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooManyPairs {
+    /// Of how many things.
+    pub items: usize,
+    /// The memory that they need.
+    pub bytes: u64,
+}
+
 impl Condensed {
+    /// A matrix without values, with room for all.
+    ///
+    /// # Errors
+    /// [`TooManyPairs`].
+    pub fn with_room(items: usize) -> Result<Self, TooManyPairs> {
+        let pairs = items as u64 * items.saturating_sub(1) as u64 / 2;
+        let mut values = Vec::new();
+        let reserved = usize::try_from(pairs).map(|pairs| values.try_reserve_exact(pairs));
+        match reserved {
+            Ok(Ok(())) => Ok(Self { items, values }),
+            _ => Err(TooManyPairs {
+                items,
+                bytes: pairs.saturating_mul(size_of::<f64>() as u64),
+            }),
+        }
+    }
+
     /// The matrix of `value(row, column)`, asked once for every `row < column`.
     pub fn from_fn(items: usize, mut value: impl FnMut(usize, usize) -> f64) -> Self {
-        let mut values = Vec::with_capacity(items * items.saturating_sub(1) / 2);
+        let mut values = Vec::with_capacity(pairs(items));
         for row in 0..items {
             for column in row + 1..items {
                 values.push(value(row, column));
@@ -40,7 +79,7 @@ impl Condensed {
         let items = vectors.len();
         let components: [Vec<f64>; FEATURE_LENGTH] =
             array::from_fn(|k| vectors.iter().map(|vector| vector[k]).collect());
-        let mut values = Vec::with_capacity(items * items.saturating_sub(1) / 2);
+        let mut values = Vec::with_capacity(pairs(items));
         for (row, vector) in vectors.iter().enumerate() {
             let mut column = row + 1;
             while column + 4 <= items {
@@ -82,20 +121,6 @@ impl Condensed {
         let start = item * (2 * self.items - item - 1) / 2;
         start..start + self.items - item - 1
     }
-
-    /// Leaves only the things `kept`, which rise.
-    pub(crate) fn keep(&mut self, kept: &[usize]) {
-        let mut place = 0;
-        for (at, &row) in kept.iter().enumerate() {
-            let start = self.row(row).start;
-            for &column in &kept[at + 1..] {
-                self.values[place] = self.values[start + column - row - 1];
-                place += 1;
-            }
-        }
-        self.values.truncate(place);
-        self.items = kept.len();
-    }
 }
 
 /// The distances of a vector from the four that begin at `column`.
@@ -111,4 +136,27 @@ fn four_distances(
         sum += apart * apart;
     }
     sum.sqrt().to_array()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_by_hand() {
+        assert_eq!([0, 1, 2, 3, 4, 5].map(pairs), [0, 0, 1, 3, 6, 10]);
+        // Twice as many would not fit.
+        let many = 1 << (usize::BITS / 2);
+        assert_eq!(pairs(many), usize::MAX / 2 + 1 - many / 2);
+    }
+
+    #[test]
+    fn more_than_there_is_memory_for_is_said() {
+        let items = 1_000_000_000;
+        let refused = Condensed::with_room(items).expect_err("an exabyte");
+        let bytes = 4 * items as u64 * (items as u64 - 1);
+        assert_eq!((refused.items, refused.bytes), (items, bytes));
+        let room = Condensed::with_room(5).expect("room");
+        assert_eq!((room.items, room.values.capacity()), (5, 10));
+    }
 }

@@ -3,8 +3,6 @@
 //! [`Distance`] is the one place where the next dissimilarity is added: a variant, and its arm in each
 //! function here.
 
-use core::borrow::Borrow;
-
 use crate::feature::{ClipFeature, FEATURE_LENGTH, JOINTS, Vector};
 
 /// The numbers that change their sign in a mirrored motion: the means of σ_xy and σ_zx. (Deviations
@@ -62,14 +60,6 @@ impl Distance {
             value: value.min(to_mirror),
             mirrored: to_mirror < value,
         }
-    }
-
-    /// The vectors whose Euclidean distance it is; none where there are none, as for one that knows
-    /// mirror images.
-    pub fn vectors(self, clips: &[impl Borrow<ClipFeature>]) -> Option<Vec<Vector>> {
-        let Distance::PostureVariation(choice) = self;
-        let vectors = clips.iter().map(|clip| *self.vector(clip.borrow()));
-        (!choice.mirror_aware).then(|| vectors.collect())
     }
 
     /// The feature of a clip that is compared.
@@ -172,15 +162,6 @@ mod tests {
         let straight = clip(with(&[(0, 1.0)]), ZERO);
         let tie = distance(false, true).between(&straight, &clip(ZERO, ZERO));
         assert_eq!((tie.value, tie.mirrored), (1.0, false));
-    }
-
-    #[test]
-    fn only_a_distance_without_mirror_images_has_vectors() {
-        let clips = [clip(with(&[(1, 7.0)]), ZERO)];
-        let vectors = Distance::default().vectors(&clips).expect("vectors");
-        assert_eq!(vectors, [with(&[(1, 7.0)])]);
-        assert_eq!(distance(true, false).vectors(&clips), Some(vec![ZERO]));
-        assert_eq!(distance(false, true).vectors(&clips), None);
     }
 
     #[test]

@@ -1,117 +1,105 @@
 //! Distances between all items of a set: features go in; one distance, or those of a row, come out.
-//! Where a distance is that of vectors it is computed when asked for, and nothing is stored.
+//! They are computed when asked for, and nothing is stored: ten thousand items have fifty million pairs.
+
+use core::borrow::Borrow;
 
 use crate::blocks::Blocks;
-use crate::condensed::{self, Condensed};
-use crate::distance::euclidean;
-use crate::feature::Vector;
+use crate::condensed;
+use crate::distance::{Distance, euclidean, mirror};
+use crate::feature::{ClipFeature, Vector};
 
-/// The distances of a set.
+/// The distances of a set: vectors as they are, and laid out for speed.
 #[derive(Clone, Debug)]
-pub enum Distances {
-    /// Those of vectors.
-    OfVectors(VectorDistances),
-    /// Any, one number for each pair.
-    Stored(Condensed),
-}
-
-/// Vectors as they are, and laid out for speed.
-#[derive(Clone, Debug)]
-pub struct VectorDistances {
+pub struct Distances {
     vectors: Vec<Vector>,
     blocks: Blocks,
+    is_mirror_aware: bool,
 }
 
 impl Distances {
-    /// The Euclidean distances of vectors.
-    pub fn of_vectors(vectors: Vec<Vector>) -> Self {
-        let blocks = Blocks::new(vectors.iter().copied());
-        Self::OfVectors(VectorDistances { vectors, blocks })
+    /// Those of clips.
+    pub fn of(distance: Distance, clips: &[impl Borrow<ClipFeature>]) -> Self {
+        let vectors = clips.iter().map(|clip| *distance.vector(clip.borrow()));
+        Self::of_vectors(vectors.collect(), distance.choice().mirror_aware)
+    }
+
+    /// The Euclidean distances of vectors; where `is_mirror_aware`, those to the nearer of the other
+    /// vector and its mirror image.
+    pub fn of_vectors(vectors: Vec<Vector>, is_mirror_aware: bool) -> Self {
+        Self {
+            blocks: Blocks::new(vectors.iter().copied()),
+            vectors,
+            is_mirror_aware,
+        }
     }
 
     /// How many items there are.
     pub fn items(&self) -> usize {
-        match self {
-            Self::OfVectors(of) => of.vectors.len(),
-            Self::Stored(matrix) => matrix.items,
-        }
+        self.vectors.len()
     }
 
     /// How many pairs there are.
     pub fn pairs(&self) -> usize {
-        self.items() * self.items().saturating_sub(1) / 2
+        condensed::pairs(self.items())
     }
 
-    /// The vectors, where there are any.
-    pub fn vectors(&self) -> Option<&[Vector]> {
-        match self {
-            Self::OfVectors(of) => Some(&of.vectors),
-            Self::Stored(_) => None,
+    /// The part of all pairs that the first `rows` rows hold, each with the later items; 1 of none.
+    pub(crate) fn part_of_rows(&self, rows: usize) -> f64 {
+        let (all, left) = (self.pairs(), condensed::pairs(self.items() - rows));
+        match all {
+            0 => 1.0,
+            _ => (all - left) as f64 / all as f64,
         }
+    }
+
+    /// The vectors whose Euclidean distances they are; none where mirror images count.
+    pub fn vectors(&self) -> Option<&[Vector]> {
+        (!self.is_mirror_aware).then_some(&self.vectors)
     }
 
     /// The distance of two items.
     pub fn at(&self, a: usize, b: usize) -> f64 {
-        match self {
-            Self::OfVectors(of) => euclidean(&of.vectors[a], &of.vectors[b]),
-            Self::Stored(matrix) => matrix.at(a, b),
+        let (a, b) = (&self.vectors[a], &self.vectors[b]);
+        let straight = euclidean(a, b);
+        match self.is_mirror_aware {
+            true => straight.min(euclidean(&mirror(a), b)),
+            false => straight,
         }
     }
 
     /// The distances of `item` to all later ones.
     pub fn to_later(&self, item: usize) -> Vec<f64> {
-        let later = self.items() - item - 1;
-        match self {
-            Self::OfVectors(of) => {
-                let mut row = vec![0.0; later];
-                of.blocks.distances(&of.vectors[item], item + 1, &mut row);
-                row
-            }
-            Self::Stored(_) if later == 0 => Vec::new(),
-            Self::Stored(matrix) => {
-                let start = condensed::index(matrix.items, item, item + 1);
-                matrix.values[start..start + later].to_vec()
-            }
-        }
+        let mut row = vec![0.0; self.items() - item - 1];
+        self.write(&self.blocks, item, item + 1, &mut row);
+        row
     }
 
-    /// The distances of `item` to all items, 0 to itself.
+    /// The distances of `item` to all items; that to itself is 0.
     pub fn row(&self, item: usize) -> Vec<f64> {
-        match self {
-            Self::OfVectors(of) => {
-                let mut row = vec![0.0; of.vectors.len()];
-                of.blocks.distances(&of.vectors[item], 0, &mut row);
-                row
-            }
-            Self::Stored(matrix) => (0..matrix.items)
-                .map(|other| self.at(item, other))
-                .collect(),
-        }
+        let mut row = vec![0.0; self.items()];
+        self.write(&self.blocks, item, 0, &mut row);
+        row
     }
 
     /// Some items as the columns of many rows.
     pub fn columns(&self, items: &[usize]) -> Columns {
-        let vectors = match self {
-            Self::OfVectors(of) => &of.vectors[..],
-            Self::Stored(_) => &[],
-        };
-        let blocks = match vectors {
-            [] => Blocks::default(),
-            _ => Blocks::new(items.iter().map(|item| vectors[*item])),
-        };
         Columns {
-            items: items.to_vec(),
-            blocks,
+            blocks: Blocks::new(items.iter().map(|item| self.vectors[*item])),
         }
     }
 
     /// All of them in SciPy's order.
     pub fn condensed(&self) -> Vec<f64> {
-        match self {
-            Self::OfVectors(_) => (0..self.items())
-                .flat_map(|item| self.to_later(item))
-                .collect(),
-            Self::Stored(matrix) => matrix.values.clone(),
+        let rows = 0..self.items();
+        rows.flat_map(|item| self.to_later(item)).collect()
+    }
+
+    /// Writes the distances of `item` to some vectors from `first` on, as many as `out` holds.
+    fn write(&self, to: &Blocks, item: usize, first: usize, out: &mut [f64]) {
+        let vector = &self.vectors[item];
+        to.distances(vector, first, out);
+        if self.is_mirror_aware {
+            to.lessen(&mirror(vector), first, out);
         }
     }
 }
@@ -119,21 +107,72 @@ impl Distances {
 /// Items in an order of their own.
 #[derive(Clone, Debug)]
 pub struct Columns {
-    items: Vec<usize>,
-    /// Their vectors, where there are any.
     blocks: Blocks,
 }
 
 impl Columns {
     /// Writes the distances of `item` to the columns from `first` on, as many as `out` holds.
     pub fn distances(&self, distances: &Distances, item: usize, first: usize, out: &mut [f64]) {
-        match distances {
-            Distances::OfVectors(of) => self.blocks.distances(&of.vectors[item], first, out),
-            Distances::Stored(matrix) => {
-                for (value, other) in out.iter_mut().zip(&self.items[first..]) {
-                    *value = matrix.at(item, *other);
-                }
+        distances.write(&self.blocks, item, first, out);
+    }
+}
+
+#[cfg(test)]
+impl Distances {
+    /// Those of points on a line.
+    pub(crate) fn on_a_line(places: &[f64]) -> Self {
+        let vector =
+            |place: &f64| -> Vector { std::array::from_fn(|k| if k == 7 { *place } else { 0.0 }) };
+        Self::of_vectors(places.iter().map(vector).collect(), false)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::distance::Dissimilarity;
+    use crate::feature::{FEATURE_LENGTH, JOINTS};
+
+    fn clip(item: usize) -> ClipFeature {
+        let number = |k: usize| libm::sin((item * 31 + k * 7) as f64);
+        ClipFeature {
+            recorded: std::array::from_fn(number),
+            across_rigs: [0.0; FEATURE_LENGTH],
+            recorded_by_joint: [[0.0; FEATURE_LENGTH]; JOINTS],
+            across_rigs_by_joint: [[0.0; FEATURE_LENGTH]; JOINTS],
+        }
+    }
+
+    /// To the bit, since a tree may hang on it.
+    #[test]
+    fn they_are_those_of_single_pairs() {
+        let clips: Vec<ClipFeature> = (0..11).map(clip).collect();
+        for mirror_aware in [false, true] {
+            let distance = Distance::PostureVariation(Dissimilarity {
+                across_rigs: false,
+                mirror_aware,
+            });
+            let found = Distances::of(distance, &clips);
+            let expected = |a: usize, b: usize| distance.between(&clips[a], &clips[b]).value;
+            let columns = found.columns(&[9, 2, 10, 5, 6, 0]);
+            for item in 0..11 {
+                let row: Vec<f64> = (0..11).map(|other| expected(item, other)).collect();
+                assert_eq!(found.row(item), row);
+                assert_eq!(found.to_later(item), row[item + 1..]);
+                assert_eq!(found.at(item, 7), row[7]);
+                let mut some = [0.0; 3];
+                columns.distances(&found, item, 2, &mut some);
+                assert_eq!(some, [row[10], row[5], row[6]]);
             }
         }
+    }
+
+    #[test]
+    fn parts_of_the_pairs_by_hand() {
+        let of = |items: usize| Distances::of_vectors(vec![[0.0; FEATURE_LENGTH]; items], false);
+        let four = of(4);
+        let parts: Vec<f64> = (0..5).map(|rows| four.part_of_rows(rows)).collect();
+        assert_eq!(parts, [0.0, 0.5, 5.0 / 6.0, 1.0, 1.0]);
+        assert_eq!((of(1).part_of_rows(0), of(0).part_of_rows(0)), (1.0, 1.0));
     }
 }

@@ -1,6 +1,10 @@
 //! How well a distance tells labels apart: distances or clusters and labels in, scores out. Items
 //! without a label are left out.
 
+mod one_nearest_run;
+
+pub use one_nearest_run::OneNearestRun;
+
 /// Leave-one-out classification by the nearest other item.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OneNearest {
@@ -45,38 +49,42 @@ pub struct Scores {
     pub f: f64,
 }
 
+impl OneNearest {
+    /// What follows from the nearest other labelled item of each labelled one.
+    fn of(labels: &[Option<usize>], nearest: Vec<Option<usize>>) -> Self {
+        let label = |item: usize| labels[item].unwrap_or_default();
+        let pairs = nearest.iter().enumerate();
+        let pairs: Vec<(usize, usize)> = pairs
+            .filter_map(|(item, near)| Some((item, (*near)?)))
+            .collect();
+        let (right, errors): (Vec<_>, Vec<_>) = pairs
+            .iter()
+            .partition(|(item, near)| label(*item) == label(*near));
+        let labelled = labels.iter().flatten().count();
+        let part = |count: usize| count as f64 / labelled.max(1) as f64;
+        let single = single(labels);
+        let labels_of = |(item, near): &(usize, usize)| (label(*item), label(*near));
+        Self {
+            labelled,
+            correct: right.len(),
+            accuracy: part(right.len()),
+            best_reachable: part(labelled - single.len()),
+            confusion: confusion(pairs.iter().map(labels_of)),
+            errors,
+            single,
+            nearest,
+        }
+    }
+}
+
 /// Classifies every labelled item by its nearest other one; ties by order. `distance` is asked once
-/// for every pair of labelled items, the smaller first.
+/// for every pair of labelled items, the smaller first. Where the nearest of all items are known:
+/// [`OneNearestRun`].
 pub fn leave_one_out(
     labels: &[Option<usize>],
     distance: impl FnMut(usize, usize) -> f64,
 ) -> OneNearest {
-    let nearest = nearest(labels, distance);
-    let label = |item: usize| labels[item].unwrap_or_default();
-    let pairs = nearest.iter().enumerate();
-    let pairs: Vec<(usize, usize)> = pairs
-        .filter_map(|(item, near)| Some((item, (*near)?)))
-        .collect();
-    let (right, errors): (Vec<_>, Vec<_>) = pairs
-        .iter()
-        .partition(|(item, near)| label(*item) == label(*near));
-    let labelled = labels.iter().flatten().count();
-    let part = |count: usize| count as f64 / labelled.max(1) as f64;
-    let single = single(labels);
-    OneNearest {
-        labelled,
-        correct: right.len(),
-        accuracy: part(right.len()),
-        best_reachable: part(labelled - single.len()),
-        confusion: confusion(
-            pairs
-                .iter()
-                .map(|(item, near)| (label(*item), label(*near))),
-        ),
-        errors,
-        single,
-        nearest,
-    }
+    OneNearest::of(labels, nearest(labels, distance))
 }
 
 /// Scores clusters against labels: with M_qc items of label c in cluster q, of M in all,

@@ -46,6 +46,7 @@ impl Layout {
 mod tests {
     use super::*;
     use crate::distance::Dissimilarity;
+    use crate::distances::Distances;
     use crate::feature::{FEATURE_LENGTH, JOINTS, Vector};
     use crate::map::{of_matrix, of_vectors, procrustes};
     use crate::{comparison::Comparison, settings::Settings};
@@ -86,7 +87,11 @@ mod tests {
     fn a_clip_that_was_laid_out_comes_to_its_own_place() {
         for across_rigs in [false, true] {
             let distance = distance(across_rigs, false);
-            let map = of_vectors(&distance.vectors(&clips()).expect("vectors"));
+            let map = of_vectors(
+                Distances::of(distance, &clips())
+                    .vectors()
+                    .expect("vectors"),
+            );
             let turned = [[5.0, 1.0], [5.0, 3.0], [4.0, 1.0], [2.0, 4.0], [3.0, 0.0]];
             let known: Vec<(usize, Place)> = turned.into_iter().enumerate().collect();
             let layout = Layout::new(distance, clips(), procrustes(&map, &known));
@@ -99,7 +104,11 @@ mod tests {
     #[test]
     fn what_lies_outside_the_plane_lies_at_its_foot() {
         let distance = Distance::default();
-        let map = of_vectors(&distance.vectors(&clips()).expect("vectors"));
+        let map = of_vectors(
+            Distances::of(distance, &clips())
+                .vectors()
+                .expect("vectors"),
+        );
         let layout = Layout::new(distance, clips(), map);
         let mut outside = clips()[2].recorded;
         outside[7] = 40.0;

@@ -7,17 +7,24 @@ mod square;
 mod top;
 mod turning;
 
+use crate::condensed;
 use crate::dendrogram::Dendrogram;
 use exact::Table;
 use layout::Layout;
 use top::Top;
-use turning::Turning;
+use turning::{Turning, Ways};
 
 /// Up to so many leaves the order is the best there is.
 pub const MOST_OPTIMAL_LEAVES: usize = 1_000;
 
 /// Sums of the dynamic programming that take as long as a distance, about.
 const SUMS_OF_A_DISTANCE: usize = 32;
+
+/// So many rows of costs are found together at least: they share what is laid out for them.
+const FEWEST_ROWS: usize = 16;
+
+/// What is done is estimated: less than all, as long as anything is left.
+const ALMOST: f64 = 0.999;
 
 /// The leaves of a tree in a row.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,12 +57,24 @@ pub struct OrderSteps {
     layout: Layout,
     subtrees: Vec<usize>,
     table: Table,
-    /// Subtrees whose distances from all later ones are known.
-    rows: usize,
-    /// Merges of subtrees whose costs are known.
+    /// The mean distance under way, of the subtrees at two places.
+    mean: Mean,
+    /// Merges of subtrees whose costs are known, and rows of the next.
     merges: usize,
+    rows: usize,
+    turning: Option<Turning>,
     spent: usize,
     work: usize,
+}
+
+/// A sum over the pairs of items of two subtrees, so far; before it come those of earlier rows, and
+/// those of the same row in earlier columns.
+struct Mean {
+    row: usize,
+    column: usize,
+    /// Items of the first subtree that are summed up.
+    items: usize,
+    sum: f64,
 }
 
 impl OrderSteps {
@@ -64,17 +83,19 @@ impl OrderSteps {
     pub fn new(dendrogram: &Dendrogram) -> Self {
         let top = Top::of(dendrogram, MOST_OPTIMAL_LEAVES);
         let table = Table::of(top.tree);
-        let sums: usize = (0..table.merges()).map(|merge| table.sums(merge)).sum();
-        let pairs = dendrogram.items * dendrogram.items / 2;
+        let sums = |merge: usize| table.rows(merge).len() * table.sums_of_a_row(merge);
+        let sums: usize = (0..table.merges()).map(sums).sum();
         Self {
             dendrogram: dendrogram.clone(),
             layout: Layout::of(dendrogram),
             subtrees: top.subtrees,
-            table,
-            rows: 0,
+            mean: Mean::between(0, 1),
             merges: 0,
+            rows: 0,
+            turning: None,
             spent: 0,
-            work: pairs + sums / SUMS_OF_A_DISTANCE,
+            work: condensed::pairs(dendrogram.items) + sums / SUMS_OF_A_DISTANCE,
+            table,
         }
     }
 
@@ -82,27 +103,21 @@ impl OrderSteps {
     pub fn step(&mut self, budget: usize, distance: &impl Fn(usize, usize) -> f64) -> f64 {
         let until = self.spent.saturating_add(budget);
         while self.spent < until && self.is_open() {
-            self.spent += self.advance(distance);
+            self.spent += self.advance(until - self.spent, distance);
         }
-        if self.is_open() {
-            (self.spent as f64 / self.work as f64).min(1.0)
-        } else {
-            1.0
+        match self.is_open() {
+            true => (self.spent as f64 / self.work as f64).min(ALMOST),
+            false => 1.0,
         }
     }
 
     /// Does what is left; the order.
     #[must_use]
     pub fn finish(mut self, distance: &impl Fn(usize, usize) -> f64) -> Order {
-        self.step(usize::MAX, distance);
-        let order = self.table.order();
-        let subtrees: Vec<usize> = order.iter().map(|&leaf| self.subtrees[leaf]).collect();
-        let turning = Turning {
-            dendrogram: &self.dendrogram,
-            layout: &self.layout,
-            distance,
-        };
-        let mut leaves = turning.leaves(&subtrees);
+        while self.is_open() {
+            self.step(usize::MAX, distance);
+        }
+        let mut leaves = self.turning.map_or(Vec::new(), Turning::finish);
         if leaves.first() > leaves.last() {
             leaves.reverse();
         }
@@ -113,39 +128,81 @@ impl OrderSteps {
     }
 
     fn is_open(&self) -> bool {
-        self.merges < self.table.merges()
+        self.turning.as_ref().is_none_or(Turning::is_open)
     }
 
-    /// The next row of distances, or else the next merge; what it took.
-    fn advance(&mut self, distance: &impl Fn(usize, usize) -> f64) -> usize {
-        if self.rows < self.table.leaves() {
-            self.rows += 1;
-            return self.measure(self.rows - 1, distance);
+    /// A part of the distances, or else of the costs, or else of the turning; what it took.
+    fn advance(&mut self, budget: usize, distance: &impl Fn(usize, usize) -> f64) -> usize {
+        if self.mean.column < self.table.leaves() {
+            return self.measure(distance);
         }
-        self.table.fill(self.merges);
-        self.merges += 1;
-        1 + self.table.sums(self.merges - 1) / SUMS_OF_A_DISTANCE
+        if self.merges < self.table.merges() {
+            return self.fill(budget);
+        }
+        let turning = self.turning.get_or_insert_with(|| {
+            let order = self.table.order();
+            let subtrees: Vec<usize> = order.iter().map(|&leaf| self.subtrees[leaf]).collect();
+            Turning::new(&subtrees)
+        });
+        turning.advance(&Ways {
+            dendrogram: &self.dendrogram,
+            layout: &self.layout,
+            distance,
+        })
     }
 
-    /// The mean distances of the subtree at a place from those at later places.
-    fn measure(&mut self, row: usize, distance: &impl Fn(usize, usize) -> f64) -> usize {
-        let mut spent = 1;
-        for column in row + 1..self.table.leaves() {
-            let (one, other) = (self.items_at(row), self.items_at(column));
-            let pairs = one.iter().flat_map(|&a| other.iter().map(move |&b| (a, b)));
-            let sum: f64 = pairs.map(|(a, b)| distance(a, b)).sum();
-            let count = one.len() * other.len();
-            spent += count;
-            self.table
-                .distances
-                .set_pair(row, column, sum / count as f64);
+    /// Sums up the distances of the next item of a subtree from the items of a later one.
+    fn measure(&mut self, distance: &impl Fn(usize, usize) -> f64) -> usize {
+        let Mean { row, column, .. } = self.mean;
+        let (one, other) = (self.items_at(row), self.items_at(column));
+        let (a, count) = (one[self.mean.items], one.len() * other.len());
+        let sum = other
+            .iter()
+            .fold(self.mean.sum, |sum, &b| sum + distance(a, b));
+        let (spent, is_whole) = (1 + other.len(), self.mean.items + 1 == one.len());
+        self.mean.sum = sum;
+        self.mean.items += 1;
+        if is_whole {
+            let mean = sum / count as f64;
+            self.table.distances.set_pair(row, column, mean);
+            self.mean = match column + 1 < self.table.leaves() {
+                true => Mean::between(row, column + 1),
+                false => Mean::between(row + 1, row + 2),
+            };
         }
         spent
+    }
+
+    /// Fills in some rows of the next merge.
+    fn fill(&mut self, budget: usize) -> usize {
+        let all = self.table.rows(self.merges);
+        let of_a_row = 1 + self.table.sums_of_a_row(self.merges) / SUMS_OF_A_DISTANCE;
+        let count = (budget / of_a_row).clamp(FEWEST_ROWS, all.len().max(FEWEST_ROWS));
+        let start = all.start + self.rows;
+        let end = all.end.min(start + count);
+        self.table.fill(self.merges, &(start..end));
+        self.rows += end - start;
+        if end == all.end {
+            self.merges += 1;
+            self.rows = 0;
+        }
+        (end - start) * of_a_row
     }
 
     /// The items of the subtree at a place of the top.
     fn items_at(&self, place: usize) -> &[usize] {
         let subtree = self.subtrees[self.table.leaf(place)];
         &self.layout.items[self.layout.places[subtree].clone()]
+    }
+}
+
+impl Mean {
+    fn between(row: usize, column: usize) -> Self {
+        Self {
+            row,
+            column,
+            items: 0,
+            sum: 0.0,
+        }
     }
 }

@@ -29,6 +29,7 @@ pub mod linkage;
 pub mod map;
 pub mod neighbours;
 pub mod picture;
+pub mod ranks;
 pub mod report;
 pub mod run;
 pub mod settings;

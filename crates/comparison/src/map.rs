@@ -7,6 +7,7 @@
 //! item into a map.
 
 mod alignment;
+mod matrix_scaling;
 mod placement;
 mod scaling;
 mod spectrum;
@@ -15,8 +16,9 @@ mod tridiagonal;
 use alignment::{middle, minus};
 
 pub use alignment::procrustes;
+pub use matrix_scaling::{MatrixMapSteps, of_matrix};
 pub use placement::gower_place;
-pub use scaling::{of_matrix, of_vectors};
+pub use scaling::of_vectors;
 
 /// A place on the map; unit and scale are those of the distance.
 pub type Place = [f64; 2];

@@ -3,16 +3,17 @@
 
 mod evaluation;
 mod features;
+mod file_run;
 mod labels;
 mod matrix;
 mod npy;
 mod provenance;
 mod set;
 
-pub use evaluation::{evaluation_csv, evaluation_json};
+pub use evaluation::evaluation_csv;
 pub use features::{features_csv, features_npy};
+pub use file_run::{FileKind, FileRun};
 pub use labels::Labels;
-pub use matrix::{matrix_csv, matrix_npy};
 pub use provenance::{VERSION, feature_parameters};
 pub use set::{LeftOut, set_json};
 
@@ -32,13 +33,18 @@ pub struct Subject<'a> {
     pub labels: Option<&'a Labels>,
 }
 
-impl Subject<'_> {
+impl<'a> Subject<'a> {
     /// How the number of clusters was found.
     fn rule(&self) -> CutRule {
         match self.cut.clusters == self.comparison.automatic_clusters {
             true => self.comparison.settings.rule(),
             false => CutRule::Number(self.cut.clusters),
         }
+    }
+
+    /// The label of a clip in words; none without.
+    fn label_of(&self, item: usize) -> Option<&'a str> {
+        self.labels?.of(item)
     }
 
     /// The tree as Newick, on a line of its own.

@@ -1,195 +1,186 @@
 //! The comparison while it is made: clips' features and settings go in, a [`Comparison`] comes out, a
 //! few milliseconds at a step: distances, tree, order, spread, map.
+//!
+//! Group average needs the distances of all pairs in memory, eight bytes a pair. They are given up to
+//! the tree once nothing else needs them; all that is asked later computes its distances anew.
 
 use std::rc::Rc;
 
-use crate::comparison::{Comparison, clusters_of};
+use crate::comparison::{CannotCompare, Comparison, clusters_of};
 use crate::condensed::Condensed;
 use crate::dendrogram::Dendrogram;
 use crate::distances::Distances;
 use crate::feature::ClipFeature;
-use crate::leaf_order::{self, Order};
+use crate::leaf_order::{Order, OrderSteps};
 use crate::linkage::{GroupAverageSteps, WardSteps};
-use crate::map::{self, Map};
-use crate::settings::{Linkage, Settings, SettingsError};
+use crate::map::{self, Map, MatrixMapSteps};
+use crate::settings::{Linkage, Settings};
 use crate::spread::{Spread, SpreadRun};
 
 /// Pairs looked at in one step.
 const PAIRS_A_STEP: usize = 1 << 18;
 
-/// Parts of the whole that are done when a piece is.
-const FILLED: f64 = 0.2;
-const LINKED: f64 = 0.7;
-const ORDERED: f64 = 0.8;
-const SPREAD: f64 = 0.95;
-
 /// The pieces, in the order in which they are made.
 pub struct ComparisonRun {
     settings: Settings,
     clips: Vec<Rc<ClipFeature>>,
-    /// The distances of pairs so far.
-    filled: Vec<f64>,
-    row: usize,
-    distances: Option<Distances>,
-    linking: Option<Linking>,
-    tree: Option<Dendrogram>,
-    order: Option<Order>,
-    spread_run: Option<SpreadRun>,
-    spread: Option<Spread>,
+    distances: Distances,
+    work: Work,
+    /// Weights of the pieces that are done.
+    done: f64,
+    /// The map, where it is made from all pairs; else it is made at the end.
     map: Option<Map>,
+    tree: Dendrogram,
+    order: Order,
+    spread: Spread,
 }
 
-enum Linking {
+/// What is under way.
+enum Work {
+    /// The distances of all pairs so far, and the next row.
+    Filling(Condensed, usize),
+    Mapping(Condensed, MatrixMapSteps),
     Ward(WardSteps),
     Average(GroupAverageSteps),
+    Ordering(OrderSteps),
+    Spreading(SpreadRun),
+    Done,
+}
+
+/// How long the pieces take, about, beside each other.
+mod weight {
+    pub const FILLING: f64 = 1.0;
+    pub const MAPPING: f64 = 8.0;
+    pub const WARD: f64 = 1.0;
+    pub const AVERAGE: f64 = 6.0;
+    pub const ORDERING: f64 = 2.0;
+    pub const SPREADING: f64 = 2.0;
 }
 
 impl ComparisonRun {
     /// Nothing compared yet.
     ///
     /// # Errors
-    /// Settings that do not go together.
-    pub fn new(clips: Vec<Rc<ClipFeature>>, settings: Settings) -> Result<Self, SettingsError> {
+    /// Settings that do not go together; not enough memory for all pairs.
+    pub fn new(clips: Vec<Rc<ClipFeature>>, settings: Settings) -> Result<Self, CannotCompare> {
         settings.validate()?;
+        let distances = Distances::of(settings.distance, &clips);
+        let items = clips.len();
+        let work = match settings.linkage {
+            Linkage::Ward => Work::Ward(WardSteps::new(distances.vectors().unwrap_or(&[]))),
+            Linkage::Average => Work::Filling(Condensed::with_room(items)?, 0),
+        };
         Ok(Self {
-            distances: settings.distance.vectors(&clips).map(Distances::of_vectors),
             settings,
             clips,
-            filled: Vec::new(),
-            row: 0,
-            linking: None,
-            tree: None,
-            order: None,
-            spread_run: None,
-            spread: None,
+            distances,
+            work,
+            done: 0.0,
             map: None,
+            tree: Dendrogram {
+                items,
+                merges: Vec::new(),
+            },
+            order: Order {
+                leaves: Vec::new(),
+                optimal: true,
+            },
+            spread: Spread::default(),
         })
     }
 
     /// Makes a part of the first missing piece. Returns the part done, 1 when all are there.
     pub fn step(&mut self) -> f64 {
-        if self.tree.is_none() {
-            return self.step_tree();
-        }
-        let (Some(distances), Some(tree)) = (&self.distances, &self.tree) else {
-            return 1.0;
+        let (part, weight) = match &mut self.work {
+            Work::Filling(matrix, row) => (fill(matrix, row, &self.distances), weight::FILLING),
+            Work::Mapping(matrix, steps) => (steps.step(matrix, PAIRS_A_STEP), weight::MAPPING),
+            Work::Ward(steps) => (steps.step(PAIRS_A_STEP), weight::WARD),
+            Work::Average(steps) => (steps.step(PAIRS_A_STEP), weight::AVERAGE),
+            Work::Ordering(steps) => {
+                let distance = |a: usize, b: usize| self.distances.at(a, b);
+                (steps.step(PAIRS_A_STEP, &distance), weight::ORDERING)
+            }
+            Work::Spreading(run) => (run.step(&self.distances, PAIRS_A_STEP), weight::SPREADING),
+            Work::Done => return 1.0,
         };
-        if self.order.is_none() {
-            self.order = Some(leaf_order::optimal(tree, &|a, b| distances.at(a, b)));
-            return ORDERED;
+        if part < 1.0 {
+            return (self.done + weight * part) / self.weight_of_all();
         }
-        if self.spread.is_none() {
-            return self.step_spread();
+        self.done += weight;
+        self.begin_next();
+        match self.work {
+            Work::Done => 1.0,
+            _ => self.done / self.weight_of_all(),
         }
-        if self.map.is_none() {
-            self.map = Some(map_of(distances));
-        }
-        1.0
     }
 
     /// Does what is left.
     pub fn finish(mut self) -> Comparison {
         while self.step() < 1.0 {}
-        let items = self.clips.len();
-        let distances = self.distances.unwrap_or(Distances::of_vectors(Vec::new()));
-        let tree = self.tree.unwrap_or(Dendrogram {
-            items,
-            merges: Vec::new(),
-        });
-        let (automatic_clusters, bic) = clusters_of(self.settings.rule(), &distances, &tree);
+        let rule = self.settings.rule();
+        let (automatic_clusters, bic) = clusters_of(rule, &self.distances, &self.tree);
+        let vectors = self.distances.vectors().unwrap_or(&[]);
         Comparison {
             settings: self.settings,
             clips: self.clips,
-            order: self.order.unwrap_or(Order {
-                leaves: (0..items).collect(),
-                optimal: true,
-            }),
-            spread: self.spread.unwrap_or_default(),
-            map: self.map.unwrap_or_else(|| map_of(&distances)),
-            distances,
-            tree,
+            map: self.map.unwrap_or_else(|| map::of_vectors(vectors)),
+            distances: self.distances,
+            tree: self.tree,
+            order: self.order,
+            spread: self.spread,
             automatic_clusters,
             bic,
         }
     }
 
-    fn step_spread(&mut self) -> f64 {
-        let Some(distances) = &self.distances else {
-            return SPREAD;
-        };
-        let mut run = match self.spread_run.take() {
-            Some(run) => run,
-            None => SpreadRun::new(distances),
-        };
-        let done = run.step(distances, PAIRS_A_STEP);
-        match done < 1.0 {
-            true => self.spread_run = Some(run),
-            false => self.spread = Some(run.finish()),
-        }
-        ORDERED + (SPREAD - ORDERED) * done
-    }
-
-    /// Fills the distances of pairs where the tree needs them, then joins clusters.
-    fn step_tree(&mut self) -> f64 {
-        let Some(linking) = &mut self.linking else {
-            return self.step_towards_linking();
-        };
-        let done = match linking {
-            Linking::Ward(steps) => steps.step(PAIRS_A_STEP),
-            Linking::Average(steps) => steps.step(PAIRS_A_STEP),
-        };
-        if done >= 1.0 {
-            self.tree = self.linking.take().map(Linking::finish);
-        }
-        FILLED + (LINKED - FILLED) * done
-    }
-
-    fn step_towards_linking(&mut self) -> f64 {
-        if let (Linkage::Ward, Some(distances)) = (self.settings.linkage, &self.distances) {
-            let vectors = distances.vectors().unwrap_or(&[]);
-            self.linking = Some(Linking::Ward(WardSteps::new(vectors)));
-            return FILLED;
-        }
-        let items = self.clips.len();
-        let until = self.filled.len() + PAIRS_A_STEP;
-        while self.row < items && self.filled.len() < until {
-            self.fill_row();
-        }
-        if self.row == items {
-            let values = core::mem::take(&mut self.filled);
-            let matrix = Condensed { items, values };
-            self.linking = Some(Linking::Average(GroupAverageSteps::new(&matrix)));
-            self.distances.get_or_insert(Distances::Stored(matrix));
-        }
-        FILLED * self.row as f64 / items.max(1) as f64
-    }
-
-    fn fill_row(&mut self) {
-        match &self.distances {
-            Some(distances) => self.filled.extend(distances.to_later(self.row)),
-            None => {
-                let (from, later) = (&self.clips[self.row], &self.clips[self.row + 1..]);
-                let distance = self.settings.distance;
-                let values = later.iter().map(|to| distance.between(from, to).value);
-                self.filled.extend(values);
+    /// Keeps the piece that is done and begins the one that follows it.
+    fn begin_next(&mut self) {
+        self.work = match std::mem::replace(&mut self.work, Work::Done) {
+            Work::Filling(matrix, _) if self.distances.vectors().is_none() => {
+                let steps = MatrixMapSteps::new(&matrix);
+                Work::Mapping(matrix, steps)
             }
-        }
-        self.row += 1;
+            Work::Filling(matrix, _) => Work::Average(GroupAverageSteps::in_place(matrix)),
+            Work::Mapping(matrix, steps) => {
+                self.map = Some(steps.finish(&matrix));
+                Work::Average(GroupAverageSteps::in_place(matrix))
+            }
+            Work::Ward(steps) => self.keep_tree(steps.finish()),
+            Work::Average(steps) => self.keep_tree(steps.finish()),
+            Work::Ordering(steps) => {
+                self.order = steps.finish(&|a, b| self.distances.at(a, b));
+                Work::Spreading(SpreadRun::new(&self.distances))
+            }
+            Work::Spreading(run) => {
+                self.spread = run.finish();
+                Work::Done
+            }
+            Work::Done => Work::Done,
+        };
+    }
+
+    fn keep_tree(&mut self, tree: Dendrogram) -> Work {
+        self.tree = tree;
+        Work::Ordering(OrderSteps::new(&self.tree))
+    }
+
+    fn weight_of_all(&self) -> f64 {
+        let needs_matrix = self.distances.vectors().is_none();
+        let mapping = if needs_matrix { weight::MAPPING } else { 0.0 };
+        let tree = match self.settings.linkage {
+            Linkage::Ward => weight::WARD,
+            Linkage::Average => weight::FILLING + weight::AVERAGE,
+        };
+        tree + mapping + weight::ORDERING + weight::SPREADING
     }
 }
 
-impl Linking {
-    fn finish(self) -> Dendrogram {
-        match self {
-            Linking::Ward(steps) => steps.finish(),
-            Linking::Average(steps) => steps.finish(),
-        }
+/// Adds rows to a matrix, from `row` on. Returns the part that is filled.
+fn fill(matrix: &mut Condensed, row: &mut usize, distances: &Distances) -> f64 {
+    let until = matrix.values.len() + PAIRS_A_STEP;
+    while *row < matrix.items && matrix.values.len() < until {
+        matrix.values.extend(distances.to_later(*row));
+        *row += 1;
     }
-}
-
-fn map_of(distances: &Distances) -> Map {
-    match distances {
-        Distances::OfVectors(_) => map::of_vectors(distances.vectors().unwrap_or(&[])),
-        Distances::Stored(matrix) => map::of_matrix(matrix),
-    }
+    distances.part_of_rows(*row)
 }

@@ -139,10 +139,9 @@ impl SpreadRun {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::condensed::Condensed;
 
-    fn found(items: usize, values: Vec<f64>) -> Spread {
-        let distances = Distances::Stored(Condensed { items, values });
+    fn found(places: &[f64]) -> Spread {
+        let distances = Distances::on_a_line(places);
         let mut run = SpreadRun::new(&distances);
         while run.step(&distances, 7) < 1.0 {}
         run.finish()
@@ -151,32 +150,31 @@ mod tests {
     #[test]
     fn the_legend_ends_where_a_sorted_list_says() {
         for items in [2, 3, 20, 60] {
-            let count = items * (items - 1) / 2;
-            let value = |index: usize| libm::fabs(libm::sin(index as f64 * 12.9898)) * 0.1;
-            let values: Vec<f64> = (0..count).map(value).collect();
-            let mut sorted = values.clone();
+            let place = |index: usize| libm::sin(index as f64 * 12.9898) * 0.1;
+            let places: Vec<f64> = (0..items).map(place).collect();
+            let mut sorted = Distances::on_a_line(&places).condensed();
             sorted.sort_by(f64::total_cmp);
-            let at = (0.985 * count as f64).ceil() as usize - 1;
-            let found = found(items, values);
-            assert_eq!(found.maximum, sorted[count - 1], "{items}");
+            let at = (0.985 * sorted.len() as f64).ceil() as usize - 1;
+            let found = found(&places);
+            assert_eq!(Some(&found.maximum), sorted.last(), "{items}");
             assert_eq!(found.legend_maximum, sorted[at], "{items}");
         }
     }
 
     #[test]
     fn equal_pairs_and_no_pairs_have_an_end() {
-        let same = found(4, vec![0.25; 6]);
-        assert_eq!((same.maximum, same.legend_maximum), (0.25, 0.25));
+        let two = found(&[1.0, 1.25]);
+        assert_eq!((two.maximum, two.legend_maximum), (0.25, 0.25));
+        let same = found(&[7.0; 4]);
         assert_eq!(same.nearest, [Some(1), Some(0), Some(0), Some(0)]);
-        assert_eq!(found(3, vec![0.0; 3]).legend_maximum, 0.0);
-        let one = found(1, Vec::new());
+        assert_eq!(same.legend_maximum, 0.0);
+        let one = found(&[5.0]);
         assert_eq!((one.legend_maximum, one.nearest), (0.0, vec![None]));
     }
 
     #[test]
     fn the_nearest_of_each_item_by_hand() {
-        // 0, 1, 3 and 7 on a line.
-        let line = found(4, vec![1.0, 3.0, 7.0, 2.0, 6.0, 4.0]);
+        let line = found(&[0.0, 1.0, 3.0, 7.0]);
         assert_eq!(line.nearest, [Some(1), Some(0), Some(1), Some(2)]);
         assert_eq!(line.nearest_distances, [1.0, 1.0, 2.0, 4.0]);
     }

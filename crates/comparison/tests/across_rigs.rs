@@ -6,6 +6,7 @@ mod support;
 
 use comparison::cut::bic;
 use comparison::distance::{Dissimilarity, Distance};
+use comparison::distances::Distances;
 use comparison::evaluation::{clustering, leave_one_out};
 use comparison::feature::ClipFeature;
 use comparison::linkage;
@@ -104,9 +105,10 @@ fn both_features_tell_the_subjects_apart_as_well() {
             (found.labelled, found.correct, found.single.len()),
             (39, 38, 1)
         );
-        let vectors = distance.vectors(&clips).expect("vectors");
-        let tree = linkage::ward(&vectors);
-        let clusters = bic::best(&bic::bic(&vectors, &tree));
+        let distances = Distances::of(distance, &clips);
+        let vectors = distances.vectors().expect("vectors");
+        let tree = linkage::ward(vectors);
+        let clusters = bic::best(&bic::bic(vectors, &tree));
         let scores = clustering(&tree.cut(clusters), &labels);
         assert_eq!(clusters, 13);
         assert!((scores.f - 0.7017).abs() < 1e-4, "{scores:?}");

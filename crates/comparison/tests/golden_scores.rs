@@ -4,6 +4,7 @@ mod support;
 
 use comparison::condensed::Condensed;
 use comparison::distance::{self, Dissimilarity, Distance};
+use comparison::distances::Distances;
 use comparison::evaluation::{OneNearest, clustering, leave_one_out};
 use comparison::feature::{ClipFeature, FEATURE_LENGTH, JOINTS, Vector};
 use comparison::neighbours::nearest_first;
@@ -54,14 +55,11 @@ fn scored(golden: &Value) -> OneNearest {
 #[test]
 fn distances_are_those_of_scipy() {
     let Some(golden) = golden() else { return };
-    let vectors = Distance::default()
-        .vectors(&clips(&golden))
-        .expect("vectors");
-    let found = Condensed::from_fn(vectors.len(), |one, other| {
-        distance::euclidean(&vectors[one], &vectors[other])
-    });
-    for (found, expected) in found.values.iter().zip(numbers(&golden["condensed"])) {
-        assert!(is_close(*found, expected, TOLERANCE), "{found} {expected}");
+    let found = Distances::of(Distance::default(), &clips(&golden)).condensed();
+    let expected = numbers(&golden["condensed"]);
+    assert_eq!(found.len(), expected.len());
+    for (found, expected) in found.into_iter().zip(expected) {
+        assert!(is_close(found, expected, TOLERANCE), "{found} {expected}");
     }
 }
 

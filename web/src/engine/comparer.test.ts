@@ -141,6 +141,55 @@ test('labels: the nearest, the confusion, and a label with one clip', async () =
   comparer.destroy();
 });
 
+test('what is asked of a comparison that another has followed fails, and the worker goes on', async () => {
+  const { comparer, workers } = setUp();
+  await withPlaces(comparer, [0, 1, 5]).compare(average);
+  comparer.setFeature(1, 'clip 1', null);
+  const { tree } = await comparer.compare(average);
+  const again = { failure: { kind: 'compared-again' } };
+  await expect(comparer.explain(0, 1)).rejects.toMatchObject(again);
+  const labels = ['a', 'a', 'b'];
+  await expect(comparer.evaluate({ clusters: 2, labels })).rejects.toMatchObject(again);
+  const all = { firstRow: 0, rowCount: 3, firstColumn: 0, columnCount: 3, most: 3 };
+  const region = { ...all, order: Int32Array.of(0, 1, 2) };
+  await expect(comparer.picture(region)).rejects.toMatchObject(again);
+  expect((await comparer.explain(0, 2)).distance).toBe(5);
+  expect(tree.leaves).toHaveLength(2);
+  expect(workers).toHaveLength(1);
+  comparer.destroy();
+});
+
+test('files come in parts and are whole', async () => {
+  const { comparer } = setUp();
+  const count = 400;
+  const places = Array.from({ length: count }, (_, index) => Math.sin(index));
+  await withPlaces(comparer, places).compare(ward);
+  const labelled = { clusters: 2, labels: places.map((_, id) => (id % 3 ? 'a' : null)) };
+  const table = await (await comparer.exportFile('matrix-csv', labelled)).text();
+  const rows = table.trimEnd().split('\r\n');
+  expect(rows).toHaveLength(count + 1);
+  expect(table.length).toBeGreaterThan(2 ** 21);
+  const cells = rows.slice(1).map((row) => row.split(','));
+  expect(cells.every((row) => row.length === count + 1)).toBe(true);
+  expect(Number(cells[3]?.[8])).toBeCloseTo(Math.abs(Math.sin(3) - Math.sin(7)), 15);
+  const array = await (await comparer.exportFile('matrix-npy', labelled)).arrayBuffer();
+  expect(array.byteLength).toBe(128 + 8 * count ** 2);
+  const scores = await (await comparer.exportFile('evaluation-csv', labelled)).text();
+  expect(scores.trimEnd().split('\r\n')).toHaveLength(count + 1);
+  comparer.destroy();
+});
+
+test('a file goes on with the comparison with which it began', async () => {
+  const { comparer } = setUp();
+  await withPlaces(comparer, [0, 1, 5]).compare(average);
+  const labelled = { clusters: 1, labels: [null, null, null] };
+  const file = comparer.exportFile('matrix-csv', labelled);
+  comparer.setFeature(1, 'clip 1', null);
+  await comparer.compare(average);
+  expect((await (await file).text()).trimEnd().split('\r\n')).toHaveLength(4);
+  comparer.destroy();
+});
+
 test('why two clips differ is told with their names and shares', async () => {
   const { comparer } = setUp();
   await withPlaces(comparer, [0, 3, 4]).compare(ward);

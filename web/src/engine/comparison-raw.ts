@@ -27,7 +27,7 @@ import { bodyParts, type BodyPart, type ClipId } from './types';
 export interface ComparisonCore {
   /** A set of its own; whoever makes it frees it, once. */
   newSet(): CoreSet;
-  newWarping(a: PostureSequence, b: PostureSequence, settings: WarpSettings): CoreWarping;
+  newWarping(a: PostureSequence, b: PostureSequence, settings: WarpSettings): CoreWork<Warping>;
   /** Bytes of the WebAssembly memory; it never shrinks. */
   memoryBytes(): number;
 }
@@ -35,30 +35,30 @@ export interface ComparisonCore {
 /** Clips and their comparison; all but the first five speak of the one made last. */
 export interface CoreSet {
   setFeature(clip: ClipId, name: string, feature: ClipFeature): void;
-  removeFeature(clip: ClipId): void;
+  removeFeatures(clips: Int32Array): void;
   /** Where clips lay on a map made elsewhere. */
   recallPlaces(known: MapPlaces): void;
   begin(settings: ComparisonSettings, keepsPlaces: boolean): void;
   /** A few milliseconds of work. Returns the part done; 1 when the comparison is there. */
   step(): number;
+  free(): void;
   comparison(settings: ComparisonSettings): Comparison;
   /** Clips that it does not cover, on its map. */
   arrivals(): MapPlaces;
   cut(clusters: number): Cut;
-  beginPicture(region: MatrixRegion): void;
-  stepPicture(): number;
-  takePicture(): MatrixPicture;
-  explain(a: ClipId, b: ClipId): Explanation;
   neighbours(clip: ClipId, most: number): readonly Neighbour[];
-  evaluate(labelled: LabelledCut): Evaluation;
-  exportFile(kind: ComparisonExportKind, labelled: LabelledCut): Blob;
-  free(): void;
+  picture(region: MatrixRegion): CoreWork<MatrixPicture>;
+  explain(a: ClipId, b: ClipId): CoreWork<Explanation>;
+  evaluate(labelled: LabelledCut): CoreWork<Evaluation>;
+  file(kind: ComparisonExportKind, labelled: LabelledCut): CoreWork<Blob>;
 }
 
-/** Two motions on their way along each other. */
-export interface CoreWarping {
+/** Work of the core in pieces; whoever begins it frees it, once. It speaks of what was when it began. */
+export interface CoreWork<T> {
+  /** A few milliseconds of work. Returns the part done; 1 when the result is there. */
   step(): number;
-  warping(): Warping;
+  /** The result, once. */
+  take(): T;
   free(): void;
 }
 
@@ -67,7 +67,7 @@ export async function loadComparisonCore(wasm?: Uint8Array<ArrayBuffer>): Promis
   const { memory } = wasm === undefined ? await init() : initSync({ module: wasm });
   return {
     newSet: () => new WasmSet(),
-    newWarping: (a, b, settings) => new WasmWarping(a, b, settings),
+    newWarping: warpingOf,
     memoryBytes: () => memory.buffer.byteLength,
   };
 }
@@ -82,8 +82,8 @@ class WasmSet implements CoreSet {
     );
   }
 
-  removeFeature(clip: ClipId): void {
-    this.handle.removeFeature(clip);
+  removeFeatures(clips: Int32Array): void {
+    this.handle.removeFeatures(clips);
   }
 
   recallPlaces({ clips, places }: MapPlaces): void {
@@ -130,50 +130,44 @@ class WasmSet implements CoreSet {
     });
   }
 
-  beginPicture({ order, most, ...region }: MatrixRegion): void {
+  picture({ order, most, ...region }: MatrixRegion): CoreWork<MatrixPicture> {
     const rows = order.subarray(region.firstRow, region.firstRow + region.rowCount);
     const columns = order.subarray(region.firstColumn, region.firstColumn + region.columnCount);
-    refusing(() => this.handle.beginPicture(rows, columns, most));
+    const handle = refusing(() => this.handle.picture(rows, columns, most));
+    return workOf(handle, () => ({
+      rows: handle.rows(),
+      columns: handle.columns(),
+      values: handle.takeValues(),
+    }));
   }
 
-  stepPicture(): number {
-    return refusing(() => this.handle.stepPicture());
-  }
-
-  takePicture(): MatrixPicture {
-    const rows = this.handle.pictureRows();
-    const columns = this.handle.pictureColumns();
-    return { rows, columns, values: this.handle.takePicture() };
-  }
-
-  explain(a: ClipId, b: ClipId): Explanation {
-    const found = JSON.parse(refusing(() => this.handle.explain(a, b))) as ExplanationText;
-    const { partShares, shares, ...rest } = found;
-    const ofParts = bodyParts.map((part, index) => [part, partShares[index] ?? 0] as const);
-    return {
-      ...rest,
-      a,
-      b,
-      shares: Float64Array.from(shares),
-      partShares: Object.fromEntries(ofParts) as Record<BodyPart, number>,
-    };
+  explain(a: ClipId, b: ClipId): CoreWork<Explanation> {
+    const handle = refusing(() => this.handle.explain(a, b));
+    return workOf(handle, () => explanationOf(a, b, handle.text()));
   }
 
   neighbours(clip: ClipId, most: number): readonly Neighbour[] {
     return JSON.parse(refusing(() => this.handle.neighbours(clip, most))) as Neighbour[];
   }
 
-  evaluate({ clusters, labels }: LabelledCut): Evaluation {
+  evaluate({ clusters, labels }: LabelledCut): CoreWork<Evaluation> {
     const { names, numbers } = numbered(labels);
-    const text = refusing(() => this.handle.evaluate(numbers, clusters));
-    const { single, ...rest } = JSON.parse(text) as EvaluationText;
-    return { ...rest, labels: names, single: single.map((label) => names[label] ?? '') };
+    const handle = refusing(() => this.handle.evaluate(numbers, clusters));
+    return workOf(handle, () => evaluationOf(names, handle.takeText()));
   }
 
-  exportFile(kind: ComparisonExportKind, { clusters, labels }: LabelledCut): Blob {
+  file(kind: ComparisonExportKind, { clusters, labels }: LabelledCut): CoreWork<Blob> {
     const { names, numbers } = numbered(labels);
-    const bytes = refusing(() => this.handle.exportFile(kind, names, numbers, clusters));
-    return new Blob([bytes as Uint8Array<ArrayBuffer>]);
+    const handle = refusing(() => this.handle.file(kind, names, numbers, clusters));
+    // A Blob is not kept in the memory of the worker: a large file may be larger than that.
+    const parts: Blob[] = [];
+    const step = (): number => {
+      const done = handle.step();
+      const part = handle.takePart() as Uint8Array<ArrayBuffer>;
+      if (part.length > 0) parts.push(new Blob([part]));
+      return done;
+    };
+    return workOf({ step, free: () => handle.free() }, () => new Blob(parts));
   }
 
   free(): void {
@@ -212,39 +206,49 @@ interface ExplanationText extends Omit<Explanation, 'a' | 'b' | 'shares' | 'part
   readonly partShares: readonly number[];
 }
 
+function explanationOf(a: ClipId, b: ClipId, text: string): Explanation {
+  const { partShares, shares, ...rest } = JSON.parse(text) as ExplanationText;
+  const ofParts = bodyParts.map((part, index) => [part, partShares[index] ?? 0] as const);
+  return {
+    ...rest,
+    a,
+    b,
+    shares: Float64Array.from(shares),
+    partShares: Object.fromEntries(ofParts) as Record<BodyPart, number>,
+  };
+}
+
 interface EvaluationText extends Omit<Evaluation, 'labels' | 'single'> {
   readonly single: readonly number[];
 }
 
-class WasmWarping implements CoreWarping {
-  private readonly handle: WarpHandle;
-  private readonly a: PostureSequence;
-  private readonly b: PostureSequence;
+function evaluationOf(labels: readonly string[], text: string): Evaluation {
+  const { single, ...rest } = JSON.parse(text) as EvaluationText;
+  return { ...rest, labels, single: single.map((label) => labels[label] ?? '') };
+}
 
-  constructor(a: PostureSequence, b: PostureSequence, { band, mirrorB }: WarpSettings) {
-    this.a = a;
-    this.b = b;
-    this.handle = refusing(() => new WarpHandle(a.values, b.values, band, mirrorB));
-  }
+/** A handle of the core as work whose result `result` takes out of it. */
+function workOf<T>(handle: { step(): number; free(): void }, result: () => T): CoreWork<T> {
+  return {
+    step: () => refusing(() => handle.step()),
+    take: () => refusing(result),
+    free: () => handle.free(),
+  };
+}
 
-  step(): number {
-    return refusing(() => this.handle.step());
-  }
-
-  /** The core counts from the first posture, the page from the file's first frame. */
-  warping(): Warping {
-    const { handle, a, b } = this;
-    return refusing(() => ({
-      distance: handle.distance(),
-      pathA: handle.pathA().map((frame) => frame + a.firstFrame),
-      pathB: handle.pathB().map((frame) => frame + b.firstFrame),
-      ahead: handle.ahead(),
-      partDistances: handle.partDistances(),
-      fullColour: handle.fullColour(),
-    }));
-  }
-
-  free(): void {
-    this.handle.free();
-  }
+/** The core counts from the first posture, the page from the file's first frame. */
+function warpingOf(
+  a: PostureSequence,
+  b: PostureSequence,
+  { band, mirrorB }: WarpSettings,
+): CoreWork<Warping> {
+  const handle = refusing(() => new WarpHandle(a.values, b.values, band, mirrorB));
+  return workOf(handle, () => ({
+    distance: handle.distance(),
+    pathA: handle.pathA().map((frame) => frame + a.firstFrame),
+    pathB: handle.pathB().map((frame) => frame + b.firstFrame),
+    ahead: handle.ahead(),
+    partDistances: handle.partDistances(),
+    fullColour: handle.fullColour(),
+  }));
 }

@@ -5,7 +5,7 @@
 import { transfer } from 'comlink';
 import type { ComparisonApi, FeatureNews, MapPlan } from './comparison-protocol';
 import { unpackFeature } from './comparison-protocol';
-import type { ComparisonCore, CoreSet } from './comparison-raw';
+import type { ComparisonCore, CoreSet, CoreWork } from './comparison-raw';
 import type {
   Comparison,
   ComparisonExportKind,
@@ -36,11 +36,8 @@ export class ComparisonWorker implements ComparisonApi {
   private readonly loading: Promise<{ core: ComparisonCore; set: CoreSet }>;
   private readonly jobs = new Jobs();
   private listener: WorkerListener | null = null;
-  /** Comparisons and pictures are made one after another: the set has room for one of each. */
+  /** Comparisons are made one after another: the set has room for one. */
   private comparing: Promise<unknown> = Promise.resolve();
-  private picturing: Promise<unknown> = Promise.resolve();
-  /** How many comparisons have been made: a picture begun before the newest begins again. */
-  private made = 0;
 
   constructor(loading: Promise<ComparisonCore>) {
     this.loading = loading.then((core) => ({ core, set: core.newSet() }));
@@ -57,7 +54,7 @@ export class ComparisonWorker implements ComparisonApi {
 
   tell(job: JobId, { clips, names, values, gone }: FeatureNews): Promise<Outcome<null>> {
     return this.outcome(job, (set) => {
-      for (const clip of gone) set.removeFeature(clip);
+      set.removeFeatures(gone);
       clips.forEach((clip, index) => {
         set.setFeature(clip, names[index] ?? '', unpackFeature(values, index, 0));
       });
@@ -76,7 +73,6 @@ export class ComparisonWorker implements ComparisonApi {
         if (known !== null) set.recallPlaces(known);
         set.begin(settings, keepsPlaces);
         await this.steps(job, () => set.step());
-        this.made += 1;
         return set.comparison(settings);
       });
       this.comparing = work.catch(() => undefined);
@@ -93,15 +89,11 @@ export class ComparisonWorker implements ComparisonApi {
   }
 
   picture(job: JobId, region: MatrixRegion): Promise<Outcome<MatrixPicture>> {
-    return this.outcome(job, (set) => {
-      const work = this.picturing.then(() => this.draw(job, set, region));
-      this.picturing = work.catch(() => undefined);
-      return work;
-    });
+    return this.outcome(job, (set) => this.worked(job, set.picture(region)));
   }
 
   explain(job: JobId, a: ClipId, b: ClipId): Promise<Outcome<Explanation>> {
-    return this.outcome(job, (set) => set.explain(a, b));
+    return this.outcome(job, (set) => this.worked(job, set.explain(a, b)));
   }
 
   neighbours(job: JobId, clip: ClipId, most: number): Promise<Outcome<readonly Neighbour[]>> {
@@ -109,7 +101,7 @@ export class ComparisonWorker implements ComparisonApi {
   }
 
   evaluate(job: JobId, labelled: LabelledCut): Promise<Outcome<Evaluation>> {
-    return this.outcome(job, (set) => set.evaluate(labelled));
+    return this.outcome(job, (set) => this.worked(job, set.evaluate(labelled)));
   }
 
   exportFile(
@@ -117,7 +109,7 @@ export class ComparisonWorker implements ComparisonApi {
     kind: ComparisonExportKind,
     labelled: LabelledCut,
   ): Promise<Outcome<Blob>> {
-    return this.outcome(job, (set) => set.exportFile(kind, labelled));
+    return this.outcome(job, (set) => this.worked(job, set.file(kind, labelled)));
   }
 
   warp(
@@ -126,23 +118,16 @@ export class ComparisonWorker implements ComparisonApi {
     b: PostureSequence,
     settings: WarpSettings,
   ): Promise<Outcome<Warping>> {
-    return this.outcome(job, async (_, core) => {
-      const warping = core.newWarping(a, b, settings);
-      try {
-        await this.steps(job, () => warping.step());
-        return warping.warping();
-      } finally {
-        warping.free();
-      }
-    });
+    return this.outcome(job, (_, core) => this.worked(job, core.newWarping(a, b, settings)));
   }
 
-  private async draw(job: JobId, set: CoreSet, region: MatrixRegion): Promise<MatrixPicture> {
-    for (;;) {
-      const { made } = this;
-      set.beginPicture(region);
-      await this.steps(job, () => (this.made === made ? set.stepPicture() : 1));
-      if (this.made === made) return set.takePicture();
+  /** The result of work that has begun. */
+  private async worked<T>(job: JobId, work: CoreWork<T>): Promise<T> {
+    try {
+      await this.steps(job, () => work.step());
+      return work.take();
+    } finally {
+      work.free();
     }
   }
 

@@ -11,6 +11,7 @@ export const ENGINE_FAILURES = [
   'archive-too-large',
   'archive-without-motions',
   'changed-on-disk',
+  'compared-again',
   'engine-unavailable',
   'no-such-sample',
   'not-an-archive',
@@ -18,6 +19,7 @@ export const ENGINE_FAILURES = [
   'not-open',
   'not-readable',
   'out-of-memory',
+  'too-many-pairs',
   'too-short-to-compare',
   'worker-died',
 ] as const;

@@ -88,7 +88,7 @@ fn stages(count: &str, runs: &str) -> Option<String> {
     let runs = runs.parse().ok()?;
     let tree = ward(&vectors);
     let between = |a: usize, b: usize| euclidean(&vectors[a], &vectors[b]);
-    let distances = Distances::of_vectors(vectors.clone());
+    let distances = Distances::of_vectors(vectors.clone(), false);
     let leaves = optimal(&tree, &between).leaves;
     let each = |work: &dyn Fn()| Json::list((0..runs).map(|_| once(work).1));
     let found = Json::object([

@@ -45,46 +45,62 @@ impl Table {
         self.layout.items[place]
     }
 
-    /// Sums looked at to fill in a merge, about.
-    pub(super) fn sums(&self, merge: usize) -> usize {
+    /// Sums looked at to fill in a row of a merge, about.
+    pub(super) fn sums_of_a_row(&self, merge: usize) -> usize {
         let merge = self.tree.merges[merge];
         let (left, right) = (self.size(merge.left), self.size(merge.right));
-        left * right * (left + right) / 2
+        right * (left + right) / 2
+    }
+
+    /// The rows of a merge: the places of its left cluster.
+    pub(super) fn rows(&self, merge: usize) -> Range<usize> {
+        self.layout.places[self.tree.merges[merge].left].clone()
     }
 
     fn size(&self, cluster: usize) -> usize {
         self.layout.places[cluster].len()
     }
 
-    /// The costs of a merge; those of the merges below come first.
-    pub(super) fn fill(&mut self, merge: usize) {
+    /// The costs of some rows of a merge; all those of the merges below come first.
+    pub(super) fn fill(&mut self, merge: usize, rows: &Range<usize>) {
         let merge = self.tree.merges[merge];
         let columns = self.layout.places[merge.right].clone();
-        let width = columns.len();
         for (outer, inner) in self.ends(merge.left) {
-            let mut to_near = vec![0.0; outer.len() * width];
-            let mut to_far = to_near.clone();
-            let within = self.costs.part(&outer, &inner);
-            least_sums(
-                within,
-                self.distances.part(&inner, &columns),
-                &mut to_near,
-                width,
-            );
-            for (near, far) in self.ends(merge.right) {
-                let across = Part {
-                    values: &to_near[near.start - columns.start..],
-                    stride: width,
-                    rows: outer.len(),
-                    columns: near.len(),
-                };
-                let into = &mut to_far[far.start - columns.start..];
-                least_sums(across, self.costs.part(&near, &far), into, width);
+            let outer = outer.start.max(rows.start)..outer.end.min(rows.end);
+            if !outer.is_empty() {
+                self.fill_rows(&outer, &inner, merge.right, &columns);
             }
-            for (row, costs) in outer.zip(to_far.chunks_exact(width)) {
-                for (column, &cost) in columns.clone().zip(costs) {
-                    self.costs.set_pair(row, column, cost);
-                }
+        }
+    }
+
+    /// The costs between one end at `outer`, whose cluster goes on to `inner`, and the other in the
+    /// cluster `right`, which lies at `columns`.
+    fn fill_rows(
+        &mut self,
+        outer: &Range<usize>,
+        inner: &Range<usize>,
+        right: usize,
+        columns: &Range<usize>,
+    ) {
+        let width = columns.len();
+        let mut to_near = vec![0.0; outer.len() * width];
+        let mut to_far = to_near.clone();
+        let within = self.costs.part(outer, inner);
+        let between = self.distances.part(inner, columns);
+        least_sums(within, between, &mut to_near, width);
+        for (near, far) in self.ends(right) {
+            let across = Part {
+                values: &to_near[near.start - columns.start..],
+                stride: width,
+                rows: outer.len(),
+                columns: near.len(),
+            };
+            let into = &mut to_far[far.start - columns.start..];
+            least_sums(across, self.costs.part(&near, &far), into, width);
+        }
+        for (row, costs) in outer.clone().zip(to_far.chunks_exact(width)) {
+            for (column, &cost) in columns.clone().zip(costs) {
+                self.costs.set_pair(row, column, cost);
             }
         }
     }

@@ -8,11 +8,11 @@ use crate::dendrogram::Dendrogram;
 /// all pairs of large clusters would take longer than the rest of the order.
 const REPRESENTATIVES: usize = 16;
 
-/// Turns the branches within subtrees.
-pub(super) struct Turning<'a, D> {
-    pub(super) dendrogram: &'a Dendrogram,
-    pub(super) layout: &'a Layout,
-    pub(super) distance: &'a D,
+/// The clusters still to be turned and the leaves that are in their place.
+pub(super) struct Turning {
+    /// The next one last.
+    waiting: Vec<Between>,
+    leaves: Vec<usize>,
 }
 
 /// A cluster and those on its two sides.
@@ -23,39 +23,64 @@ struct Between {
     after: Option<usize>,
 }
 
-impl<D: Fn(usize, usize) -> f64> Turning<'_, D> {
-    /// The leaves of all subtrees, which stay in their order.
-    pub(super) fn leaves(&self, subtrees: &[usize]) -> Vec<usize> {
-        let mut leaves = Vec::with_capacity(self.dendrogram.items);
-        let mut waiting = Vec::new();
-        for (index, &cluster) in subtrees.iter().enumerate() {
-            waiting.push(Between {
-                before: index.checked_sub(1).map(|before| subtrees[before]),
-                cluster,
-                after: subtrees.get(index + 1).copied(),
-            });
-            while let Some(between) = waiting.pop() {
-                match self.dendrogram.children(between.cluster) {
-                    None => leaves.push(between.cluster),
-                    Some((left, right)) => {
-                        let (one, other) = self.turned(between, left, right);
-                        waiting.push(Between {
-                            before: Some(one),
-                            cluster: other,
-                            after: between.after,
-                        });
-                        waiting.push(Between {
-                            before: between.before,
-                            cluster: one,
-                            after: Some(other),
-                        });
-                    }
-                }
-            }
+impl Turning {
+    /// Subtrees, which stay in their order.
+    pub(super) fn new(subtrees: &[usize]) -> Self {
+        let between = |(index, &cluster): (usize, &usize)| Between {
+            before: index.checked_sub(1).map(|before| subtrees[before]),
+            cluster,
+            after: subtrees.get(index + 1).copied(),
+        };
+        Self {
+            waiting: subtrees.iter().enumerate().map(between).rev().collect(),
+            leaves: Vec::new(),
         }
-        leaves
     }
 
+    pub(super) fn is_open(&self) -> bool {
+        !self.waiting.is_empty()
+    }
+
+    /// The leaves.
+    pub(super) fn finish(self) -> Vec<usize> {
+        self.leaves
+    }
+
+    /// The next leaf, or the next branch; how many distances it took, about.
+    pub(super) fn advance<D>(&mut self, way: &Ways<D>) -> usize
+    where
+        D: Fn(usize, usize) -> f64,
+    {
+        let Some(between) = self.waiting.pop() else {
+            return 0;
+        };
+        let Some((left, right)) = way.dendrogram.children(between.cluster) else {
+            self.leaves.push(between.cluster);
+            return 1;
+        };
+        let (one, other) = way.turned(between, left, right);
+        self.waiting.push(Between {
+            before: Some(one),
+            cluster: other,
+            after: between.after,
+        });
+        self.waiting.push(Between {
+            before: between.before,
+            cluster: one,
+            after: Some(other),
+        });
+        4 * REPRESENTATIVES * REPRESENTATIVES
+    }
+}
+
+/// What tells how far clusters are from each other.
+pub(super) struct Ways<'a, D> {
+    pub(super) dendrogram: &'a Dendrogram,
+    pub(super) layout: &'a Layout,
+    pub(super) distance: &'a D,
+}
+
+impl<D: Fn(usize, usize) -> f64> Ways<'_, D> {
     /// The children in the order in which they are nearer to what they come to stand beside.
     fn turned(&self, between: Between, left: usize, right: usize) -> (usize, usize) {
         let outward = |first: usize, last: usize| {

@@ -20,8 +20,13 @@ pub(super) trait Clusters {
     /// The nearest other cluster: of equal ones `previous`, else the lowest slot.
     fn nearest(&mut self, slot: usize, previous: Option<usize>) -> Near;
 
-    /// Merges the cluster in slot `gone` into the one in slot `kept`.
+    /// Merges the cluster in slot `gone` into the one in slot `kept`. [`Self::settle`] follows.
     fn join(&mut self, gone: usize, kept: usize, distance: f64);
+
+    /// Does about `budget` distances of the work that a merge has left behind; whether nothing is left.
+    fn settle(&mut self, _budget: usize) -> bool {
+        true
+    }
 }
 
 /// The walk along nearest neighbours until two are each other's, again and again.
@@ -48,16 +53,18 @@ impl<C: Clusters> Chain<C> {
     pub(super) fn step(&mut self, budget: usize) -> f64 {
         let mut spent = 0;
         while spent < budget && self.left() > 1 {
-            spent += self.left();
-            self.advance();
+            if self.clusters.settle(budget - spent) {
+                spent = spent.saturating_add(self.left());
+                self.advance();
+            } else {
+                spent = budget;
+            }
         }
         self.done()
     }
 
     pub(super) fn finish(mut self) -> Dendrogram {
-        while self.left() > 1 {
-            self.advance();
-        }
+        while self.step(usize::MAX) < 1.0 {}
         Dendrogram::of_joined(self.clusters.slots(), self.joined)
     }
 

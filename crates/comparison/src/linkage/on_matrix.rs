@@ -2,7 +2,7 @@
 
 use super::best::Best;
 use super::chain::{Clusters, Near};
-use crate::condensed::Condensed;
+use crate::condensed::{Condensed, Keeping};
 use std::marker::PhantomData;
 
 /// Two clusters that merge: their distance and how many items each holds.
@@ -54,6 +54,8 @@ pub(super) struct OnMatrix<R> {
     /// The position of every slot.
     positions: Vec<usize>,
     alive: usize,
+    /// Those gone on their way out.
+    dropping: Option<Keeping>,
     rule: PhantomData<R>,
 }
 
@@ -65,17 +67,14 @@ impl<R: Rule> OnMatrix<R> {
             slots: (0..items).collect(),
             positions: (0..items).collect(),
             alive: items,
+            dropping: None,
             distances,
             rule: PhantomData,
         }
     }
 
-    /// Moves the clusters that are left together, in their order.
-    fn drop_gone(&mut self) {
-        let kept: Vec<usize> = (0..self.slots.len())
-            .filter(|&at| self.sizes[at] > 0.0)
-            .collect();
-        self.distances.keep(&kept);
+    /// Numbers the clusters that are left anew, once their distances have been moved together.
+    fn renumber(&mut self, kept: &[usize]) {
         self.sizes = kept.iter().map(|&at| self.sizes[at]).collect();
         self.slots = kept.iter().map(|&at| self.slots[at]).collect();
         for (position, &slot) in self.slots.iter().enumerate() {
@@ -170,7 +169,21 @@ impl<R: Rule> Clusters for OnMatrix<R> {
         self.positions[gone] = GONE;
         self.alive -= 1;
         if 4 * self.alive <= 3 * self.slots.len() {
-            self.drop_gone();
+            let positions = 0..self.slots.len();
+            let kept = positions.filter(|&at| self.sizes[at] > 0.0);
+            self.dropping = Some(Keeping::new(kept.collect()));
         }
+    }
+
+    fn settle(&mut self, budget: usize) -> bool {
+        let Some(mut dropping) = self.dropping.take() else {
+            return true;
+        };
+        if dropping.step(&mut self.distances, budget) {
+            self.renumber(dropping.kept());
+            return true;
+        }
+        self.dropping = Some(dropping);
+        false
     }
 }

@@ -5,7 +5,9 @@
 //! as many steps as the matrix has rows every eigenvalue is found, whatever their multiplicity: where
 //! the vectors so far span an invariant space, the method goes on from a vector outside it.
 
-use super::tridiagonal::Tridiagonal;
+use std::mem;
+
+use super::tridiagonal::{EigenSteps, Tridiagonal};
 
 /// Below this part of the matrix' size a vector is only rounding.
 const ROUNDING: f64 = 1e-13;
@@ -17,7 +19,7 @@ const CONVERGED: f64 = 1e-13;
 const STEPS_A_LOOK: usize = 10;
 
 /// What is known of the eigenvalues.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spectrum {
     /// All eigenvalues if there were as many steps as rows, else approximations of those at the ends,
     /// in descending order.
@@ -28,22 +30,28 @@ pub struct Spectrum {
 
 /// The spectrum of the matrix of `size` rows that `apply` multiplies a vector (first argument) by: all of
 /// it if `most_steps` products are enough for that, else the leading part.
-pub fn spectrum(size: usize, most_steps: usize, apply: impl FnMut(&[f64], &mut [f64])) -> Spectrum {
-    let mut run = Run::new(size, apply);
-    let most = most_steps.min(size);
-    while run.basis.len() < most && run.step() {
-        let steps = run.basis.len();
-        let is_look = most < size && steps.is_multiple_of(STEPS_A_LOOK);
-        if is_look && let Some(found) = run.converged() {
-            return found;
+pub fn spectrum(
+    size: usize,
+    most_steps: usize,
+    mut apply: impl FnMut(&[f64], &mut [f64]),
+) -> Spectrum {
+    let mut steps = SpectrumSteps::new(size, most_steps);
+    loop {
+        if let Some(vector) = steps.wanted() {
+            let mut product = vec![0.0; size];
+            apply(vector, &mut product);
+            steps.take(product);
+        } else if steps.look() {
+            return steps.finish();
         }
     }
-    run.found(&run.tridiagonal.eigen())
 }
 
-struct Run<Apply> {
+/// [`spectrum`] in pieces: whoever drives it multiplies.
+pub struct SpectrumSteps {
     size: usize,
-    apply: Apply,
+    /// Products at most.
+    most: usize,
     /// Orthogonal unit vectors.
     basis: Vec<Vec<f64>>,
     /// The next one, and how large it was.
@@ -52,28 +60,62 @@ struct Run<Apply> {
     start: Start,
     /// The largest number of the tridiagonal matrix.
     scale: f64,
+    state: State,
 }
 
-impl<Apply: FnMut(&[f64], &mut [f64])> Run<Apply> {
-    fn new(size: usize, apply: Apply) -> Self {
-        Self {
+/// What it waits for.
+enum State {
+    /// The product of a vector, which couples so much with the one before.
+    Multiplying(Vec<f64>, f64),
+    /// The eigenvalues so far, or of all.
+    Looking(EigenSteps, IsLast),
+    Found(Spectrum),
+}
+
+/// Whether there are no more products to be taken.
+type IsLast = bool;
+
+impl Default for State {
+    fn default() -> Self {
+        State::Found(Spectrum::default())
+    }
+}
+
+impl SpectrumSteps {
+    /// Nothing known yet.
+    pub fn new(size: usize, most_steps: usize) -> Self {
+        let mut steps = Self {
             size,
-            apply,
+            most: most_steps.min(size),
             basis: Vec::new(),
             next: None,
             tridiagonal: Tridiagonal::default(),
             start: Start::default(),
             scale: 0.0,
+            state: State::default(),
+        };
+        steps.go_on();
+        steps
+    }
+
+    /// The vector whose product is to be taken; none while eigenvalues are looked for.
+    pub fn wanted(&self) -> Option<&[f64]> {
+        match &self.state {
+            State::Multiplying(vector, _) => Some(vector),
+            _ => None,
         }
     }
 
-    /// Adds a vector to the basis; says whether there was one.
-    fn step(&mut self) -> bool {
-        let Some((vector, coupling)) = self.next.take().or_else(|| self.outside()) else {
-            return false;
+    /// Products taken.
+    pub fn products(&self) -> usize {
+        self.basis.len()
+    }
+
+    /// Takes the product of the vector that was wanted, and adds that vector to the basis.
+    pub fn take(&mut self, mut product: Vec<f64>) {
+        let State::Multiplying(vector, coupling) = mem::take(&mut self.state) else {
+            return;
         };
-        let mut product = vec![0.0; self.size];
-        (self.apply)(&vector, &mut product);
         let diagonal = dot(&product, &vector);
         self.tridiagonal.push(diagonal, coupling);
         self.basis.push(vector);
@@ -85,7 +127,50 @@ impl<Apply: FnMut(&[f64], &mut [f64])> Run<Apply> {
             divide(&mut product, length);
             self.next = Some((product, length));
         }
-        true
+        let is_time = self.most < self.size && self.basis.len().is_multiple_of(STEPS_A_LOOK);
+        match is_time && self.next.is_some() {
+            true => self.state = State::Looking(EigenSteps::new(&self.tridiagonal), false),
+            false => self.go_on(),
+        }
+    }
+
+    /// Looks for one more eigenvalue. True once the spectrum is found.
+    pub fn look(&mut self) -> bool {
+        let State::Looking(steps, _) = &mut self.state else {
+            return matches!(self.state, State::Found(_));
+        };
+        if steps.step() {
+            return false;
+        }
+        if let State::Looking(steps, is_last) = mem::take(&mut self.state) {
+            let eigen = steps.finish();
+            match is_last || self.has_converged(&eigen) {
+                true => self.state = State::Found(self.found(&eigen)),
+                false => self.go_on(),
+            }
+        }
+        matches!(self.state, State::Found(_))
+    }
+
+    /// The spectrum, once it is found.
+    pub fn finish(self) -> Spectrum {
+        match self.state {
+            State::Found(spectrum) => spectrum,
+            _ => Spectrum::default(),
+        }
+    }
+
+    /// Waits for the product of the next vector, or looks for the last time.
+    fn go_on(&mut self) {
+        let is_last = self.basis.len() == self.most;
+        let next = match is_last {
+            true => None,
+            false => self.next.take().or_else(|| self.outside()),
+        };
+        self.state = match next {
+            Some((vector, coupling)) => State::Multiplying(vector, coupling),
+            None => State::Looking(EigenSteps::new(&self.tridiagonal), true),
+        };
     }
 
     /// A unit vector outside the space of the basis, with its coupling of 0; none if that is all.
@@ -116,20 +201,16 @@ impl<Apply: FnMut(&[f64], &mut [f64])> Run<Apply> {
         }
     }
 
-    /// What is found, if it would not change with more steps.
-    fn converged(&self) -> Option<Spectrum> {
-        let (_, coupling) = self.next.as_ref()?;
-        let eigen = self.tridiagonal.eigen();
-        let largest = eigen.first()?.0.abs();
+    /// Whether the two largest would not change with more steps.
+    fn has_converged(&self, eigen: &[(f64, Vec<f64>)]) -> bool {
+        let (Some((_, coupling)), Some((largest, _))) = (&self.next, eigen.first()) else {
+            return false;
+        };
         let is_found = |(_, vector): &(f64, Vec<f64>)| {
             let residual = vector.last().map_or(0.0, |last| last.abs() * coupling);
-            residual <= CONVERGED * largest
+            residual <= CONVERGED * largest.abs()
         };
-        eigen
-            .iter()
-            .take(2)
-            .all(is_found)
-            .then(|| self.found(&eigen))
+        eigen.iter().take(2).all(is_found)
     }
 
     fn found(&self, eigen: &[(f64, Vec<f64>)]) -> Spectrum {

@@ -22,15 +22,41 @@ impl Tridiagonal {
         }
         self.diagonal.push(diagonal);
     }
+}
 
-    /// Eigenvalues, the largest first, with their unit vectors.
-    pub fn eigen(&self) -> Vec<(f64, Vec<f64>)> {
-        let mut turning = Turning::new(self);
-        for first in 0..self.diagonal.len() {
-            let is_done = |turning: &mut Turning| turning.sweep(first);
-            let _ = (0..MOST_SWEEPS).any(|_| is_done(&mut turning));
+/// The eigenvalues of a matrix with their unit vectors, one after another.
+pub struct EigenSteps {
+    turning: Turning,
+    /// Rows that stand alone.
+    rows: usize,
+}
+
+impl EigenSteps {
+    /// Nothing found yet.
+    pub fn new(matrix: &Tridiagonal) -> Self {
+        Self {
+            turning: Turning::new(matrix),
+            rows: 0,
         }
-        let mut eigen: Vec<_> = turning.diagonal.into_iter().zip(turning.vectors).collect();
+    }
+
+    /// Finds the next eigenvalue; false if there is none.
+    pub fn step(&mut self) -> bool {
+        let row = self.rows;
+        if row == self.turning.diagonal.len() {
+            return false;
+        }
+        let _ = (0..MOST_SWEEPS).any(|_| self.turning.sweep(row));
+        self.rows += 1;
+        true
+    }
+
+    /// What is found, the largest first.
+    pub fn finish(self) -> Vec<(f64, Vec<f64>)> {
+        let Turning {
+            diagonal, vectors, ..
+        } = self.turning;
+        let mut eigen: Vec<_> = diagonal.into_iter().zip(vectors).collect();
         eigen.sort_by(|one, other| other.0.total_cmp(&one.0));
         eigen
     }
@@ -119,6 +145,12 @@ mod tests {
     use super::*;
     use test_support::Random;
 
+    fn eigen(matrix: &Tridiagonal) -> Vec<(f64, Vec<f64>)> {
+        let mut steps = EigenSteps::new(matrix);
+        while steps.step() {}
+        steps.finish()
+    }
+
     #[test]
     fn values_and_vectors_satisfy_their_definition() {
         let mut random = Random::new(11);
@@ -131,7 +163,7 @@ mod tests {
             };
             matrix.push(random.unit() - 0.5, coupling);
         }
-        let eigen = matrix.eigen();
+        let eigen = eigen(&matrix);
         assert!(eigen.is_sorted_by(|one, other| one.0 >= other.0));
         for (value, vector) in &eigen {
             for row in 0..40 {
@@ -155,7 +187,7 @@ mod tests {
         for _ in 0..20 {
             matrix.push(2.0, -1.0);
         }
-        for (place, (value, _)) in matrix.eigen().iter().enumerate() {
+        for (place, (value, _)) in eigen(&matrix).iter().enumerate() {
             let angle = core::f64::consts::PI * (20 - place) as f64 / 21.0;
             let expected = 2.0 - 2.0 * libm::cos(angle);
             assert!((value - expected).abs() < 1e-14, "{value} {expected}");

@@ -8,11 +8,11 @@ use super::provenance::{VERSION, parameters, parameters_text};
 use super::{Labels, Subject};
 use crate::evaluation::{self, OneNearest};
 
-const HEADER: &str =
+pub(super) const HEADER: &str =
     "clip,label,cluster,nearest,nearest_label,distance,is_right,version,parameters\r\n";
 
 /// The scores with what they are of: one object on a line of its own.
-pub fn evaluation_json(subject: &Subject) -> String {
+pub(super) fn evaluation_json(subject: &Subject, nearest: &OneNearest) -> String {
     let labels = subject.labels.cloned().unwrap_or_default();
     let object = Json::object([
         ("version", VERSION.into()),
@@ -26,7 +26,7 @@ pub fn evaluation_json(subject: &Subject) -> String {
             "clusters",
             Json::list(subject.cut.cluster_of_item.iter().copied()),
         ),
-        ("evaluation", scores(subject, &labels)),
+        ("evaluation", scores(subject, &labels, nearest)),
     ]);
     object.text() + "\n"
 }
@@ -37,8 +37,7 @@ pub fn label_list(subject: &Subject, labels: &Labels) -> Json {
 }
 
 /// `evaluation`: the clips held against their nearest ones, the cut against the labels.
-pub fn scores(subject: &Subject, labels: &Labels) -> Json {
-    let nearest = subject.comparison.one_nearest(&labels.of_item);
+pub fn scores(subject: &Subject, labels: &Labels, nearest: &OneNearest) -> Json {
     let clustering = evaluation::clustering(&subject.cut.cluster_of_item, &labels.of_item);
     let name = |item: usize| subject.names[item].as_str();
     let error = |(clip, near): &(usize, usize)| {
@@ -59,7 +58,7 @@ pub fn scores(subject: &Subject, labels: &Labels) -> Json {
             "labels",
             Json::list(labels.names.iter().map(String::as_str)),
         ),
-        ("confusion", confusion(&nearest, labels.names.len())),
+        ("confusion", confusion(nearest, labels.names.len())),
         ("errors", Json::list(nearest.errors.iter().map(error))),
         (
             "single",
@@ -85,33 +84,43 @@ fn confusion(nearest: &OneNearest, labels: usize) -> Json {
 /// One row for each clip: its label, its cluster, and the clip nearest to it; of a clip with a label the
 /// nearest one with a label.
 pub fn evaluation_csv(subject: &Subject) -> String {
-    let labels = subject.labels.cloned().unwrap_or_default();
-    let among_labelled = match subject.labels {
-        Some(labels) => subject.comparison.one_nearest(&labels.of_item).nearest,
-        None => Vec::new(),
-    };
-    let end = format!("{VERSION},{}", parameters_text(subject));
+    let labels = subject.labels.map(|labels| labels.of_item.as_slice());
+    let nearest = subject.comparison.one_nearest(labels.unwrap_or(&[]));
     let mut text = HEADER.to_owned();
-    for (item, name) in subject.names.iter().enumerate() {
-        let own = labels.of(item);
-        let nearest = match own {
-            Some(_) => among_labelled[item],
-            None => subject.comparison.spread.nearest[item],
-        };
-        let start = [name, own.unwrap_or_default()].map(field).join(",");
-        let cluster = subject.cut.cluster_of_item[item];
-        let near = near(subject, &labels, item, nearest);
-        text.push_str(&format!("{start},{cluster},{near},{end}\r\n"));
+    for item in 0..subject.names.len() {
+        push_row(&mut text, subject, Some(&nearest), item);
     }
     text
 }
 
+/// Adds the row of a clip.
+pub(super) fn push_row(
+    text: &mut String,
+    subject: &Subject,
+    among_labelled: Option<&OneNearest>,
+    item: usize,
+) {
+    let own = subject.label_of(item);
+    let nearest = match (own, among_labelled) {
+        (Some(_), Some(among_labelled)) => among_labelled.nearest[item],
+        _ => subject.comparison.spread.nearest[item],
+    };
+    let start = [&subject.names[item], own.unwrap_or_default()];
+    let start = start.map(field).join(",");
+    let cluster = subject.cut.cluster_of_item[item];
+    let near = near(subject, item, nearest);
+    let parameters = parameters_text(subject);
+    text.push_str(&format!(
+        "{start},{cluster},{near},{VERSION},{parameters}\r\n"
+    ));
+}
+
 /// Name, label and distance of the nearest, and whether the label is right.
-fn near(subject: &Subject, labels: &Labels, item: usize, nearest: Option<usize>) -> String {
+fn near(subject: &Subject, item: usize, nearest: Option<usize>) -> String {
     let Some(nearest) = nearest else {
         return ",,,".to_owned();
     };
-    let (own, other) = (labels.of(item), labels.of(nearest));
+    let (own, other) = (subject.label_of(item), subject.label_of(nearest));
     let texts = [subject.names[nearest].as_str(), other.unwrap_or_default()];
     let distance = number(subject.comparison.distances.at(item, nearest));
     let is_right = own.map_or_else(String::new, |_| (own == other).to_string());

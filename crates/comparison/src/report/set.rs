@@ -49,7 +49,8 @@ pub fn set_json(subject: &Subject, sha256: &[String], left_out: &[LeftOut]) -> S
         ("neighbours", neighbours(subject)),
     ]);
     if let Some(labels) = subject.labels {
-        members.push(("evaluation", scores(subject, labels)));
+        let nearest = comparison.one_nearest(&labels.of_item);
+        members.push(("evaluation", scores(subject, labels, &nearest)));
     }
     members.push(("left_out", Json::list(left_out.iter().map(left_out_object))));
     Json::Object(members).text() + "\n"

@@ -1,7 +1,9 @@
 //! Maps of known points, and both ways of making one against each other.
 
 use super::*;
+use crate::condensed::Condensed;
 use crate::distance::euclidean;
+use crate::map::{MatrixMapSteps, of_matrix};
 use test_support::Random;
 
 /// Vectors whose numbers spread less and less.
@@ -68,7 +70,7 @@ fn both_ways_give_the_same_map() {
 
 #[test]
 fn above_the_exact_size_the_places_are_the_same_and_the_spread_is_near() {
-    let vectors = vectors(EXACT_ITEMS + 150);
+    let vectors = vectors(450);
     let (one, other) = (of_vectors(&vectors), of_matrix(&matrix(&vectors)));
     assert_same(&one, &other, 1e-11);
     assert!(
@@ -116,5 +118,20 @@ fn few_and_equal_items_have_a_map() {
         let found = map.places[0][0] - map.places[1][0];
         assert!((found.abs() - distance).abs() < 1e-14);
         assert!(map.places[0][1].abs() < 1e-8);
+    }
+}
+
+#[test]
+fn a_map_in_pieces_is_the_same() {
+    for count in [0, 1, 2, 40, 320] {
+        let matrix = matrix(&vectors(count));
+        let mut steps = MatrixMapSteps::new(&matrix);
+        let mut done = 0.0;
+        while done < 1.0 {
+            let now = steps.step(&matrix, 1_000);
+            assert!((done..=1.0).contains(&now), "{count}: {done} then {now}");
+            done = now;
+        }
+        assert_eq!(steps.finish(&matrix), of_matrix(&matrix));
     }
 }
