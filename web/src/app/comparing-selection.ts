@@ -30,6 +30,11 @@ export function labelledCut({ compare, labels }: Store): LabelledCut | null {
   return { clusters: cut.clusters, labels: Array.from(comparison.clips, labelOf) };
 }
 
+const isSame = (a: LabelledCut, b: LabelledCut): boolean =>
+  a.clusters === b.clusters &&
+  a.labels.length === b.labels.length &&
+  a.labels.every((label, item) => label === b.labels[item]);
+
 /** Returns what ends it. */
 export function followSelection(store: Store, comparer: Comparer): () => void {
   const ends = [
@@ -78,8 +83,13 @@ function findNeighbours({ openId, compare }: Store, comparer: Comparer): () => v
 function evaluateLabels(store: Store, comparer: Comparer): () => void {
   const { evaluation } = store.compare;
   const answers = new LatestAnswer<Evaluation>((found) => (evaluation.value = found), quiet);
+  let asked: { readonly of: Comparison | null; readonly labelled: LabelledCut } | null = null;
   return effect(() => {
+    const of = store.compare.comparison.value;
     const labelled = labelledCut(store);
+    // Labels of clips that only come say nothing new of those compared.
+    if (labelled && asked?.of === of && isSame(asked.labelled, labelled)) return;
+    asked = labelled && { of, labelled };
     if (labelled?.labels.some((label) => label !== null)) {
       answers.ask(() => comparer.evaluate(labelled));
       return;

@@ -25,3 +25,12 @@ test('a pixel has its bytes in the order of image data', () => {
     Uint8Array.of(1, 2, 3, 255),
   );
 });
+
+test('many distances at once have the colours that each has', () => {
+  const scale = new ColourScale(['#ffffff', '#808080', '#000000'], 0.3);
+  const distances = Float32Array.from({ length: 500 }, (_, k) => k / 1000);
+  const each = Array.from(distances, (distance) => scale.pixel(distance));
+  expect([...scale.pixelsOf(distances)]).toEqual(each);
+  const flat = new ColourScale(['#ffffff', '#000000'], 0);
+  expect(flat.pixelsOf(Float32Array.of(0, 1))[1]).toBe(flat.pixel(1));
+});

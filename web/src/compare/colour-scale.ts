@@ -49,10 +49,11 @@ export const pixelOf = ([red, green, blue]: Rgb): number =>
 export class ColourScale {
   /** Pixels from 0 to the maximum, even in the square root of the distance. */
   readonly pixels: Uint32Array;
-  private readonly maximum: number;
+  /** Steps of the square root of a distance. */
+  private readonly stepsOfRoot: number;
 
   constructor(stops: readonly string[], maximum: number) {
-    this.maximum = maximum;
+    this.stepsOfRoot = maximum > 0 ? (steps - 1) / Math.sqrt(maximum) : 0;
     const labs = stops.map((stop) => labOf(rgbOf(stop)));
     this.pixels = Uint32Array.from({ length: steps }, (_, step) =>
       pixelOf(between(labs, step / (steps - 1))),
@@ -60,9 +61,19 @@ export class ColourScale {
   }
 
   pixel(distance: number): number {
-    if (!(this.maximum > 0)) return this.pixels[0];
-    const place = Math.sqrt(Math.max(0, distance) / this.maximum) * (steps - 1);
-    return this.pixels[Math.min(steps - 1, Math.round(place))];
+    const place = Math.round(Math.sqrt(Math.max(0, distance)) * this.stepsOfRoot);
+    return this.pixels[Math.min(steps - 1, place)];
+  }
+
+  /** Those of many distances from 0 up: a million of them have one frame. */
+  pixelsOf(distances: Float32Array): Uint32Array {
+    const { pixels, stepsOfRoot } = this;
+    const found = new Uint32Array(distances.length);
+    for (let k = 0; k < distances.length; k += 1) {
+      const place = (Math.sqrt(distances[k]) * stepsOfRoot + 0.5) | 0;
+      found[k] = pixels[place < steps ? place : steps - 1];
+    }
+    return found;
   }
 
   /** The same as `#rrggbb`. */

@@ -99,6 +99,10 @@ export function middleMember(members: readonly number[], places: Float64Array): 
 const overlaps = (a: Box, b: Box): boolean =>
   a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
+/** Whether a square of twice the radius around a point overlaps the box. */
+const isNear = ({ left, top, right, bottom }: Box, x: number, y: number, radius: number): boolean =>
+  x + radius > left && x - radius < right && y + radius > top && y - radius < bottom;
+
 const within = (box: Box, room: Box): boolean =>
   box.left >= room.left &&
   box.right <= room.right &&
@@ -171,7 +175,7 @@ export function placeFigures(
     const free = candidates(anchor, figures).find((middle) => {
       const box = around(middle, width, height);
       if (!within(box, room) || boxes.some((other) => overlaps(box, other))) return false;
-      return !points.some((point) => overlaps(box, around(point, 2 * radius, 2 * radius)));
+      return !points.some(([x, y]) => isNear(box, x, y, radius));
     });
     if (free) boxes.push(around(free, width, height));
     return free ?? null;

@@ -139,7 +139,9 @@ export class MapView {
       const marks = this.markedSpots(spots);
       drawMarks(layers.marks, { spots, ...marks, ...size.value, palette: palette.value });
     });
-    const placed = computed(() => (this.glide.gliding.value ? [] : this.placedFigures()));
+    // Not computed: finding room for figures takes too long for what changes the scene, and has a frame.
+    const placed = signal<readonly PlacedFigure[]>([]);
+    follow(() => void (placed.value = this.glide.gliding.value ? [] : this.placedFigures()));
     follow(() => render(this.drawnFigures(placed.value), this.figures));
     follow(() => this.showPill());
     follow(() => this.input.update());

@@ -9,11 +9,8 @@ export interface PlacedPicture {
 }
 
 /** The colour of every value, once for as long as scale and picture last. */
-export function colourPicture({ values }: MatrixPicture, scale: ColourScale): Uint32Array {
-  const pixels = new Uint32Array(values.length);
-  for (let k = 0; k < values.length; k += 1) pixels[k] = scale.pixel(values[k]);
-  return pixels;
-}
+export const colourPicture = ({ values }: MatrixPicture, scale: ColourScale): Uint32Array =>
+  scale.pixelsOf(values);
 
 /** Whether every value is one distance, not the mean of many. */
 export const isExact = ({ region, picture }: PlacedPicture): boolean =>

@@ -3,10 +3,18 @@ const paddingPx = 26;
 /** Of more names the first are measured. */
 const mostMeasured = 400;
 
+/** A set that grows is measured again and again, each name of it once. */
+let measured: { readonly font: string; readonly widths: Map<string, number> } | null = null;
+
 export function longestNamePx(names: readonly string[], font: string): number {
   const context = document.createElement('canvas').getContext('2d');
   if (!context) return paddingPx;
   context.font = `500 10.5px ${font}`;
-  const widths = names.slice(0, mostMeasured).map((name) => context.measureText(name).width);
-  return widths.reduce((most, width) => Math.max(most, width), 0) + paddingPx;
+  if (measured?.font !== font) measured = { font, widths: new Map() };
+  const { widths: before } = measured;
+  const widths = new Map<string, number>();
+  for (const name of names.slice(0, mostMeasured))
+    widths.set(name, before.get(name) ?? context.measureText(name).width);
+  measured = { font, widths };
+  return Math.max(0, ...widths.values()) + paddingPx;
 }

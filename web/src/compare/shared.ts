@@ -2,6 +2,7 @@
 import { computed, effect, type ReadonlySignal } from '@preact/signals-core';
 import type { Context } from '../app/context';
 import type { ClipPair } from '../app/compare-store';
+import type { Labels } from '../app/labels';
 import type { ClipId } from '../engine/types';
 import { comparePalette, type ComparePalette } from './compare-palette';
 import { HoverFacts } from './hover-facts';
@@ -43,12 +44,34 @@ function arrivedIn(
   });
 }
 
+interface Labelling {
+  readonly labels: Labels;
+  readonly labelNames: readonly string[];
+}
+
+/** Labels of the clips compared: those that only come while others load say nothing new of the set. */
+function labellingOf({ store }: Context): ReadonlySignal<Labelling> {
+  let before: Labelling = { labels: new Map(), labelNames: [] };
+  return computed(() => {
+    const clips = store.compare.comparison.value?.clips ?? [];
+    const now = { labels: store.labels.value, labelNames: store.labelNames.value };
+    const isSame =
+      isSameList(before.labelNames, now.labelNames) &&
+      clips.every((clip) => before.labels.get(clip) === now.labels.get(clip));
+    return isSame ? before : (before = now);
+  });
+}
+
+const isSameList = (a: readonly string[], b: readonly string[]): boolean =>
+  a.length === b.length && a.every((one, k) => one === b[k]);
+
 export function createShared(place: Element, context: Context): Shared {
   const { store, theme } = context;
   const { comparison, cut, order, otherId, hovered } = store.compare;
   const pictures = new PictureSource(context.comparer);
   const facts = new HoverFacts(context.comparer);
   const { scene } = pictures;
+  const labelling = labellingOf(context);
   const latest = computed(() =>
     comparison.value
       ? sceneOf({
@@ -57,8 +80,7 @@ export function createShared(place: Element, context: Context): Shared {
           kind: order.value,
           // A clip of a comparison keeps its name: what else is told of clips changes while they load.
           clips: store.clips.peek(),
-          labels: store.labels.value,
-          labelNames: store.labelNames.value,
+          ...labelling.value,
         })
       : null,
   );
