@@ -17,10 +17,15 @@ test('the level of VP9 is the lowest that holds the film', () => {
   expect(codecOf(1080, 60)).toBe('vp09.00.41.08');
 });
 
-test('VP8 stands in for VP9', () => {
-  const kinds = filmCodecs(filmShape(720, 25)).map(({ webm, config }) => [webm, config.codec]);
+test('every picture is to be as good as the others; else so many bits; VP8 stands in for VP9', () => {
+  const kinds = filmCodecs(filmShape(720, 25)).map(({ webm, config }) => [
+    webm,
+    config.codec,
+    config.bitrateMode,
+  ]);
   expect(kinds).toEqual([
-    ['V_VP9', 'vp09.00.31.08'],
-    ['V_VP8', 'vp8'],
+    ['V_VP9', 'vp09.00.31.08', 'quantizer'],
+    ['V_VP9', 'vp09.00.31.08', 'variable'],
+    ['V_VP8', 'vp8', 'variable'],
   ]);
 });

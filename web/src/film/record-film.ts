@@ -51,10 +51,12 @@ class EncodingLine {
   private stop: (reason: unknown) => void = () => undefined;
   private readonly rate_hz: number;
   private readonly keyEvery: number;
+  private readonly options: FilmCodec['options'];
 
   constructor({ shape, codec, signal }: FilmJob) {
     this.rate_hz = shape.rate_hz;
     this.keyEvery = Math.round(KEY_EVERY_S * shape.rate_hz);
+    this.options = codec.options;
     this.writer = new WebmWriter({ ...shape, codec: codec.webm });
     this.stopped = new Promise((_, reject) => {
       this.stop = reject;
@@ -71,7 +73,8 @@ class EncodingLine {
     const duration = microseconds((picture + 1) / this.rate_hz) - timestamp;
     const frame = new VideoFrame(canvas, { timestamp, duration });
     try {
-      this.encoder.encode(frame, { keyFrame: picture % this.keyEvery === 0 });
+      const keyFrame = picture % this.keyEvery === 0;
+      this.encoder.encode(frame, { ...this.options, keyFrame });
     } finally {
       frame.close();
     }

@@ -11,7 +11,7 @@ import { sceneOf, type StageScene } from './scene-of';
 import { captionOfClip } from './stage-words';
 
 /** Side by side a film's stages are narrower than the page's: the figures at the next keyposes are to be seen. */
-const ROOM_FOR_KEYPOSES = 1.6;
+const ROOM_FOR_KEYPOSES = 1.45;
 
 export class FilmMoments {
   readonly panes: readonly FilmPane[];

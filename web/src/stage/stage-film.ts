@@ -61,10 +61,12 @@ export function createStageFilm(
   if (context === null) return null;
   const renderer = new WebGLRenderer({ canvas, context });
   const palette = readPalette(element, theme);
+  const moreContrast = matchMedia('(prefers-contrast: more)').matches;
   const scenes = panes.map((pane): Pane => {
     const scene = new StageScene();
     scene.setPalette(palette);
     scene.setPixelRatio(size.ratio);
+    scene.setContrast(moreContrast);
     scene.setPerformers(pane.performers);
     scene.setChosen(pane.chosen);
     return { ...pane, scene, camera: null, moment: null };

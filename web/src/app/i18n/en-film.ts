@@ -1,5 +1,5 @@
 /** The sentences of films in English. */
-import type { Message } from './catalogue';
+import type { Message } from './message';
 
 export const englishFilm = {
   film: 'Film',

@@ -1,6 +1,6 @@
 /** The sentences of films in Japanese. */
 import type { englishFilm } from './en-film';
-import type { Message } from './catalogue';
+import type { Message } from './message';
 
 export const japaneseFilm: Readonly<Record<keyof typeof englishFilm, Message>> = {
   film: '動画',
