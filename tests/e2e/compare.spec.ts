@@ -1,6 +1,6 @@
 /** The page Compare: matrix, tree, names and map of a set, by pointer and by keys alone. */
 import type { Page } from '@playwright/test';
-import { sampleFiles, temporaryFolder, tinyBvh, writeFiles } from './support/motions';
+import { sampleBytes, sampleFiles, temporaryFolder, tinyBvh, writeFiles } from './support/motions';
 import { expect, test } from './support/test';
 import type { AppPage } from './support/app-page';
 
@@ -220,4 +220,53 @@ test('the map is enlarged, zoomed and brought back; a removed clip leaves the ot
   await app.row('run-poser-30.bvh').locator('.clip-open').focus();
   await page.keyboard.press('Delete');
   await expect(names(page)).toHaveCount(set.length - 1);
+});
+
+/** Enough for cells that can be made larger. */
+async function openMany(app: AppPage, page: Page): Promise<void> {
+  const folder = temporaryFolder();
+  const walk = sampleBytes('walk-hik-30');
+  const many = Array.from({ length: 90 }, (_, n) => [`m${n}.bvh`, walk] as const);
+  writeFiles(folder, Object.fromEntries(many));
+  await app.openWith(folder);
+  await page.locator('.page-tab', { hasText: 'Compare' }).click();
+  await expect(page.locator('.compare.compared')).toBeVisible();
+}
+
+const scrolled = (page: Page): Promise<number> =>
+  page.locator('.compare').evaluate(({ scrollTop }) => scrollTop);
+
+test('where the page does not scroll, the wheel zooms the matrix', async ({ app, page }) => {
+  await openMany(app, page);
+  await expect(app.button('Zoom out')).toBeDisabled();
+  await page.locator('.matrix-grid').hover();
+  await page.mouse.wheel(0, -300);
+  await expect(app.button('Zoom out')).toBeEnabled();
+});
+
+test.describe('a window in which the page scrolls', () => {
+  test.use({ viewport: { width: 1024, height: 768 } });
+
+  test('the wheel scrolls it, over matrix and map too; with Ctrl it zooms them', async ({
+    app,
+    page,
+  }) => {
+    await openMany(app, page);
+    await page.locator('.matrix-grid').hover();
+    await page.mouse.wheel(0, 200);
+    await expect.poll(() => scrolled(page)).toBe(200);
+    await expect(app.button('Zoom out')).toBeDisabled();
+    await page.locator('.matrix-grid').hover();
+    const before = await scrolled(page);
+    await page.keyboard.down('Control');
+    await page.mouse.wheel(0, -300);
+    await page.keyboard.up('Control');
+    await expect(app.button('Zoom out')).toBeEnabled();
+    expect(await scrolled(page)).toBe(before);
+    await page.locator('.map-input').hover();
+    const atMap = await scrolled(page);
+    await page.mouse.wheel(0, -100);
+    await expect.poll(() => scrolled(page)).toBe(atMap - 100);
+    await expect(app.button('Show the whole map')).toHaveCount(0);
+  });
 });

@@ -24,7 +24,7 @@ export interface Menu {
   readonly label: string;
   /** Stands on the button beside the icon: what is chosen. */
   readonly text?: string;
-  /** A field that shows what is chosen, without an icon; its menu begins where it does. */
+  /** A field that shows what is chosen and ends in an arrow; its menu begins where it does. */
   readonly field?: boolean;
   /** As `aria-keyshortcuts` has them, and as the tip shows them. */
   readonly keys?: string;
@@ -102,7 +102,9 @@ function menuItem(item: MenuItem): TemplateResult {
 
 function face({ name, text, field }: Menu): TemplateResult {
   const words = text === undefined ? nothing : html`<span class="menu-text">${text}</span>`;
-  return field ? html`${words}${icon('chevron-down', 14)}` : html`${icon(name, 15)}${words}`;
+  if (!field) return html`${icon(name, 15)}${words}`;
+  const down = icon('chevron-down', 14);
+  return name === 'chevron-down' ? html`${words}${down}` : html`${icon(name, 14)}${words}${down}`;
 }
 
 export function menuButton(menu: Menu): TemplateResult {

@@ -87,7 +87,7 @@ function labelMenu(props: BarProps): Menu {
   const source = rule.kind === 'none' && byHand ? 'hand' : rule.kind;
   return {
     id: 'labels-menu',
-    name: 'chevron-down',
+    name: 'tag',
     field: true,
     label: t('bar.labels'),
     text: t(`labels.${source}`),

@@ -7,6 +7,7 @@ import { clipAt, labelAt, nameAt, spotOf, type Spots } from './map-spots';
 import { RovingCell } from './roving-cell';
 import { clusterNumber } from './scene';
 import { chooseClip, hoverClips, openPair, type Shared } from './shared';
+import { pageScrolls, zoomFactor } from './wheel-zoom';
 
 const reachPx = 14;
 const dragPx = 4;
@@ -51,6 +52,7 @@ export class MapInput {
     const { t } = this.shared.context.language.words.value;
     this.element.setAttribute('aria-label', t('map.label'));
     this.element.setAttribute('aria-description', t('map.help'));
+    this.element.classList.toggle('pans', this.transform.value !== null);
     if (!spots || spots.points.length === 0) return;
     const { openId } = this.shared.context.store;
     const open = spotOf(spots, openId.value);
@@ -182,10 +184,10 @@ export class MapInput {
   }
 
   private readonly onWheel = (event: WheelEvent): void => {
-    if (!this.spots.peek()) return;
+    const factor = zoomFactor(event, pageScrolls(this.element));
+    if (!this.spots.peek() || factor === null) return;
     event.preventDefault();
     const box = this.element.getBoundingClientRect();
-    const factor = Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.002));
     this.zoomAt(factor, event.clientX - box.left, event.clientY - box.top);
   };
 }

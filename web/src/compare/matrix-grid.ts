@@ -14,7 +14,9 @@ import {
   type MatrixGeometry,
   type Zoom,
 } from './matrix-geometry';
+import { mostCellPx } from './matrix-axis';
 import type { Scene } from './scene';
+import { pageScrolls, zoomFactor } from './wheel-zoom';
 
 export interface GridState {
   readonly scene: Scene;
@@ -259,10 +261,11 @@ export class MatrixGrid {
   private readonly onWheel = (event: WheelEvent): void => {
     const { geometry } = this.state ?? {};
     // Where everything is as large as it gets, the wheel scrolls the page.
-    if (!geometry || geometry.fit.cell >= 18) return;
+    if (!geometry || geometry.fit.cell >= mostCellPx) return;
+    const factor = zoomFactor(event, pageScrolls(this.element));
+    if (factor === null) return;
     event.preventDefault();
     const box = this.element.getBoundingClientRect();
-    const factor = Math.exp(-event.deltaY * (event.deltaMode === 1 ? 0.05 : 0.002));
     this.zoomAt(factor, event.clientX - box.left, event.clientY - box.top);
     // Another cell may be under the pointer once the zoom has been drawn.
     this.pointer = { clientX: event.clientX, clientY: event.clientY };

@@ -10,6 +10,9 @@ import { scrollToSpan } from './row-window';
 /** Control, or Command on a Mac. */
 const isAdding = (event: KeyboardEvent | MouseEvent): boolean => event.ctrlKey || event.metaKey;
 
+/** Over the first row and under the last. */
+const paddingPx = 4;
+
 export class LibraryList {
   private readonly context: Context;
   private readonly body: HTMLElement;
@@ -44,8 +47,8 @@ export class LibraryList {
     const { tops } = this.layout();
     const list = this.list;
     if (!list || place < 0) return;
-    const [top, end] = [tops[place], tops[place + 1]];
-    list.scrollTop = scrollToSpan(top, end - top, list.scrollTop, list.clientHeight);
+    const height = tops[place + 1] - tops[place] + 2 * paddingPx;
+    list.scrollTop = scrollToSpan(tops[place], height, list.scrollTop, list.clientHeight);
   }
 
   focus(selector: string): void {

@@ -158,6 +158,7 @@ function clipRow(
     clip,
     qualifier: qualifiers.get(clip.id) ?? '',
     label: labelOf(props, clip.id),
+    grouped: props.grouped ?? false,
     open: clip.id === openId,
     other: clip.id === otherId,
     ticked: ticked.has(clip.id),

@@ -23,6 +23,8 @@ export interface RowProps {
   readonly clip: Clip;
   readonly qualifier: string;
   readonly label: RowLabel | null;
+  /** Its label stands over it: it is only spoken. */
+  readonly grouped: boolean;
   readonly open: boolean;
   /** The second of the selected pair. */
   readonly other: boolean;
@@ -97,11 +99,11 @@ function facts({ words, clip }: RowProps): TemplateResult {
 }
 
 /** The name is spoken, and shown by its tip. */
-function labelOf({ words: { t }, label }: RowProps): TemplateResult | typeof nothing {
+function labelOf({ words: { t }, label, grouped }: RowProps): TemplateResult | typeof nothing {
   if (!label) return nothing;
   const name = t('library.label', label.name);
   return html`<span class="clip-label" title=${name}
-    >${labelMark(label.index)}<span class="spoken">${name}</span></span
+    >${grouped ? nothing : labelMark(label.index)}<span class="spoken">${name}</span></span
   >`;
 }
 
