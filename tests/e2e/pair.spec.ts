@@ -239,10 +239,78 @@ test('one clip alone asks for another', async ({ app, page }) => {
   await expect(page.locator('.pair-rows')).toBeVisible();
 });
 
+/** What is cut off or lies over something else, of the controls of the page. */
+function crowded(page: Page): Promise<string[]> {
+  return page.evaluate(() => {
+    const found: string[] = [];
+    const nameOf = (node: Element): string => `${node.className}: ${node.textContent?.trim()}`;
+    const shown = (selector: string): Element[] =>
+      [...document.querySelectorAll(selector)].filter((node) => node.getClientRects().length > 0);
+    for (const row of ['.pair-choice', '.pair-bar', '.pair-transport']) {
+      const parts = shown(`${row} > :not(.rule, [popover], .pair-bar-gap)`);
+      const boxes = parts.map((node) => node.getBoundingClientRect());
+      boxes.forEach((a, i) => {
+        if (a.left < 0 || a.right > innerWidth) found.push(`outside ${nameOf(parts[i])}`);
+        boxes.slice(i + 1).forEach((b, j) => {
+          const apart =
+            a.right <= b.left + 0.5 ||
+            b.right <= a.left + 0.5 ||
+            a.bottom <= b.top + 0.5 ||
+            b.bottom <= a.top + 0.5;
+          if (!apart) found.push(`over ${nameOf(parts[i])} ${nameOf(parts[i + j + 1])}`);
+        });
+      });
+      for (const node of shown(`${row} :is(button, .pair-clip-name, .segments)`))
+        if (node.scrollWidth > node.clientWidth) found.push(`cut ${nameOf(node)}`);
+    }
+    return found;
+  });
+}
+
+for (const locale of ['en-GB', 'ja-JP']) {
+  test.describe(`in ${locale}`, () => {
+    test.use({ locale });
+    for (const [width, height] of [
+      [1440, 900],
+      [1024, 768],
+      [768, 1024],
+      [390, 844],
+    ] as const)
+      test(`nothing is cut or covered at a width of ${width}`, async ({ app, page }) => {
+        await page.setViewportSize({ width, height });
+        const text = sampleText(walk);
+        const files = writeFiles(temporaryFolder(), { '07_11.bvh': text, '07_04.bvh': text });
+        await app.open('?stage=off');
+        await app.drop(...files);
+        await app.settled();
+        await page.locator('.page-tab').nth(2).click();
+        await expect(page.locator('.pair-ahead')).toHaveCount(2);
+        expect(await crowded(page)).toEqual([]);
+      });
+  });
+}
+
 test.describe('drawn', () => {
   // Drawn by software: a small stage, and time.
   test.use({ viewport: { width: 1040, height: 640 }, deviceScaleFactor: 1 });
   test.setTimeout(120_000);
+
+  test('numbers on the ground stay clear of the words', async ({ app, page }) => {
+    await app.open('');
+    await app.drop(...sampleFiles(walk, run));
+    await app.settled();
+    await showPage(page, 'Pair');
+    const stage = page.locator('.pair-stage').first();
+    const caption = stage.locator('.stage-caption');
+    await expect(caption).toBeVisible();
+    const tag = stage.locator('.stage-tag.current');
+    await expect(tag).toBeVisible();
+    const bottom = async () => {
+      const box = await tag.boundingBox();
+      return (box?.y ?? 0) + (box?.height ?? 0);
+    };
+    await expect.poll(bottom).toBeLessThanOrEqual((await caption.boundingBox())!.y);
+  });
 
   test('twenty clips of other rates stand on one stage within thirty draw calls', async ({
     app,

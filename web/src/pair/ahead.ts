@@ -19,7 +19,7 @@ const LEAST_SCALE = 0.05;
 const AIR = 4;
 const REACH = rows.ahead.height / 2 - AIR;
 /** The room of a label, and the air between it and the edge, in pixels. */
-const LABEL = { width: 52, height: 13, edge: 4 };
+const LABEL = { width: 52, height: 16, edge: 4 };
 
 export const AHEAD_MIDDLE = rows.ahead.top + rows.ahead.height / 2;
 

@@ -1,6 +1,6 @@
 /** The state of the pair page in; its rows under the stage out: strips, pins, speeds, ribbon, ahead, differences. */
 import { computed, signal, type ReadonlySignal } from '@preact/signals-core';
-import { html } from 'lit-html';
+import { html, nothing } from 'lit-html';
 import type { Context } from '../app/context';
 import { element } from '../common/element';
 import { follow, mount } from '../common/mount';
@@ -57,6 +57,7 @@ export function mountRows(place: HTMLElement, context: Context, state: PairState
   showLabels(gutter, context, state);
   showGraph(area, context, state, two);
   showTimes(area, context, state, two);
+  showWarping(area, context, state);
   showDifference(area, context, state, two);
   for (const clip of [0, 1] as const) {
     showStrip(area, clip, context, state, two);
@@ -79,7 +80,6 @@ function showLabels(gutter: HTMLElement, context: Context, state: PairState): vo
       b,
       speeds: [speedAt(a, frames[0] ?? 0), speedAt(b, frames[1] ?? 0)],
       alignment: alignmentText(words, store.compare.synchronisation.value, state),
-      warping: warpingText(words, state),
     });
   });
 }
@@ -131,6 +131,22 @@ function showTimes(area: HTMLElement, { language }: Context, state: PairState, t
     const { frames } = state.moment.value;
     const [a, b] = labels.value.map((all, i) => besideFlag(all, shown.axes[i].x(frames[i] ?? 0)));
     return ribbonTimes(shown.axes[0].width, [a, b]);
+  });
+}
+
+/** Without a path: why, and what can be done. */
+function showWarping(area: HTMLElement, { language }: Context, state: PairState): void {
+  const place = placeAt(area, 'pair-warping', rows.ahead);
+  const { progress, cancelled, cancel, warp } = state.warpings;
+  const button = (text: string, onPress: () => void) =>
+    html`<button type="button" class="button line" @click=${onPress}>${text}</button>`;
+  mount(place, () => {
+    const words = language.words.value;
+    const text = warpingText(words, state);
+    place.hidden = text === '';
+    return html`<span>${text}</span>
+      ${progress.value === null ? nothing : button(words.t('pair.warp.cancel'), cancel)}
+      ${cancelled.value ? button(words.t('pair.warp.again'), warp) : nothing}`;
   });
 }
 

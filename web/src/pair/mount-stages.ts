@@ -121,7 +121,7 @@ function mountOne(place: HTMLElement, index: 0 | 1, parts: Parts): ShownStage {
   showLook(section, stage, index, context);
   showKeyposes(stage, shown, context, state);
   showTrails(stage, shown, context, state);
-  showWords(overlay, index, parts, loaded);
+  showWords(overlay, index, parts, loaded, shown);
   keepCorners(overlay, stage);
   return { stage, shown };
 }
@@ -131,10 +131,11 @@ function showWords(
   index: 0 | 1,
   { context, state }: Parts,
   { stage, trouble, loadAgain }: LoadedStage,
+  shown: ReadonlySignal<ShownClip | null>,
 ): void {
   mount(overlay, () =>
     stageOverlay({
-      ...stageWords(index, context, state, trouble.value),
+      ...stageWords(index, context, state, trouble.value, shown.value?.place ?? null),
       onLoadAgain: trouble.value === 'not-loaded' ? loadAgain : null,
       onView: (view) => {
         context.store.view.value = view;

@@ -11,7 +11,7 @@ import { startOfA } from './opening';
 import { PairClock, type PairMoment } from './pair-clock';
 import { followPairClips, type PairClip } from './pair-clips';
 import { createRowsView, type RowsView } from './rows-view';
-import { followWarpings } from './warpings';
+import { followWarpings, type Warpings } from './warpings';
 
 /** A frame of a clip of the page. */
 export interface ClipMoment {
@@ -26,8 +26,7 @@ export interface PairState {
   readonly alignment: ReadonlySignal<Alignment>;
   /** Of B along A. */
   readonly warping: ReadonlySignal<Warping | null>;
-  readonly warpProgress: ReadonlySignal<number | null>;
-  readonly warpFailure: ReadonlySignal<unknown>;
+  readonly warpings: Pick<Warpings, 'progress' | 'failure' | 'cancelled' | 'cancel' | 'warp'>;
   /** Of each clip, the index of the keypose nearest to its frame. */
   readonly currentKeyposes: ReadonlySignal<readonly (number | null)[]>;
   /** Of each clip, the keypose at which all meet when synchronised by keypose. */
@@ -71,8 +70,7 @@ export function createPairState(context: Context): PairState {
     moment,
     alignment,
     warping: computed(() => warpings.found.value.get(clips.value[1]?.id ?? -1) ?? null),
-    warpProgress: warpings.progress,
-    warpFailure: warpings.failure,
+    warpings,
     currentKeyposes,
     meeting: met.keyposes,
     rows: createRowsView({ clips, moment, alignment }),

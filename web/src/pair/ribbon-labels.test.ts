@@ -18,6 +18,11 @@ it('writes minutes and hours, and parts of seconds where the axis is zoomed', ()
   expect(part.map(({ text }) => text)).toContain('33:20.5');
 });
 
+it('labels a narrow axis too', () => {
+  const texts = labelsOf(new Axis(266, 480), 1 / 120).map(({ text }) => text);
+  expect(texts).toEqual(['1 s', '2 s', '3 s']);
+});
+
 it('hides what a flag covers', () => {
   const labels = labelsOf(new Axis(1028, 480), 1 / 120);
   expect(besideFlag(labels, labels[1].x).map(({ text }) => text)).toEqual(['1 s', '3 s']);

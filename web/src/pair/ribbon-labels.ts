@@ -23,10 +23,14 @@ const LETTER = 6;
 const GAP = 4;
 const FLAG_HALF_WIDTH = 25;
 
-/** The labels stand among lines: half as many as a ruler would have. */
+/** The labels stand among lines: half as many as a ruler would have, but two at least. */
 export function ribbonTicks(axis: Axis, frameTimeS: number): RibbonTicks {
   const narrow = new Axis(axis.width / 2, axis.lastFrame, axis.span);
-  const division = divisionOf(narrow, frameTimeS);
+  const { first, last } = axis.span;
+  const few = divisionOf(narrow, frameTimeS);
+  const fewS = few.unit === 'frames' ? few.labelled * frameTimeS : few.labelled;
+  const isEnough = (last - first) * frameTimeS >= 2 * fewS;
+  const division = isEnough ? few : divisionOf(axis, frameTimeS);
   return { ticks: rulerTicks(axis, frameTimeS, division), division };
 }
 

@@ -15,8 +15,6 @@ export interface RowLabelProps {
   readonly speeds: readonly [number | null, number | null];
   /** "warped", "from the start". */
   readonly alignment: string;
-  /** What stands in place of who is ahead and the differences; empty: they are shown. */
-  readonly warping: string;
 }
 
 const at = (top: number) => styled({ top: `${top}px` });
@@ -35,9 +33,7 @@ function label({ top }: RowPlace, text: string, figure = '', offset = 2): Templa
   </div>`;
 }
 
-function warpedRows({ words: { t }, warping }: RowLabelProps) {
-  if (warping !== '')
-    return html`<div class="pair-row-note wide" ${at(rows.ahead.top + 6)}>${warping}</div>`;
+function warpedRows({ words: { t } }: RowLabelProps) {
   return html`${label(rows.ahead, t('pair.ahead'), '', 5)}
     <div class="pair-row-note" ${at(rows.ahead.top + 24)}>${t('pair.ahead.unit')}</div>
     ${bodyParts.map(

@@ -13,10 +13,11 @@ export function alignmentText({ t }: Words, way: Synchronisation, state: PairSta
 
 /** Why there is no path yet; empty when there is one. */
 export function warpingText({ t, format, failure }: Words, state: PairState): string {
+  const { failure: why, cancelled, progress } = state.warpings;
   if (state.warping.value) return '';
-  if (state.warpFailure.value !== null)
-    return t('pair.warp.failed', failure(failureOf(state.warpFailure.value)));
-  return t('pair.warp.progress', format.integer(Math.floor(100 * (state.warpProgress.value ?? 0))));
+  if (why.value !== null) return t('pair.warp.failed', failure(failureOf(why.value)));
+  if (cancelled.value) return t('pair.warp.cancelled');
+  return t('pair.warp.progress', format.integer(Math.floor(100 * (progress.value ?? 0))));
 }
 
 /** The motion speed at a frame; null where none is known. */

@@ -16,6 +16,7 @@ export function stageWords(
   context: Context,
   state: PairState,
   trouble: Trouble,
+  chosen: number | null,
 ): StageText {
   const { store, language } = context;
   const superposed = store.compare.superposed.value;
@@ -25,7 +26,7 @@ export function stageWords(
   return {
     words: language.words.value,
     plates: shown.map((clip) => plate(context, clip)),
-    caption: shown.length === 1 ? captionAt(context, state, index) : null,
+    caption: chosen === null ? null : captionAt(context, state, chosen, shown.length > 1),
     view: drawing && index === 0 ? store.view.value : undefined,
     sentence: sentence(index, context, state, trouble),
   };
@@ -46,8 +47,13 @@ function plate({ store, language }: Context, clip: PairClip): PlateProps {
   };
 }
 
-/** What a clip shows at its moment. */
-export function captionAt({ language }: Context, state: PairState, place: number): Caption | null {
+/** What a clip shows at its moment, with its letter where there are others. */
+export function captionAt(
+  { language }: Context,
+  state: PairState,
+  place: number,
+  named = false,
+): Caption | null {
   const clip = state.clips.value[place];
   if (!clip) return null;
   const frame = state.moment.value.frames[place] ?? 0;
@@ -73,7 +79,7 @@ export function captionOfClip(
     current,
     leadingRestFrames: clip.performer.leadingRestFrames,
     posture: current === null ? '' : posture(words, postures[current] ?? []),
-    performer: null,
+    performer: named ? clip.letter : null,
   });
 }
 

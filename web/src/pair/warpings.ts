@@ -1,7 +1,7 @@
 /** The clips of the page in; how each runs along A out, as it is found; what is no longer wanted is cancelled. */
-import { effect, signal, type ReadonlySignal } from '@preact/signals-core';
+import { effect, signal, untracked, type ReadonlySignal } from '@preact/signals-core';
 import type { Comparer, Warping } from '../engine/comparison-types';
-import type { ClipId } from '../engine/types';
+import type { ClipId, ClipResult } from '../engine/types';
 import type { PairClip } from './pair-clips';
 
 export interface Warpings {
@@ -11,6 +11,10 @@ export interface Warpings {
   readonly progress: ReadonlySignal<number | null>;
   /** Why B could not be warped. */
   readonly failure: ReadonlySignal<unknown>;
+  /** Given up until other clips are wanted, or `warp`. */
+  readonly cancelled: ReadonlySignal<boolean>;
+  readonly cancel: () => void;
+  readonly warp: () => void;
   readonly destroy: () => void;
 }
 
@@ -19,57 +23,117 @@ export interface WarpingWish {
   readonly mirrorB: boolean;
 }
 
-const none: ReadonlyMap<ClipId, Warping> = new Map();
+/** A clip beside A. */
+interface Job {
+  readonly isB: boolean;
+  readonly id: ClipId;
+  readonly a: ClipId;
+  readonly results: readonly [ClipResult, ClipResult];
+  readonly mirrored: boolean;
+}
+
+type Warper = Pick<Comparer, 'warp'>;
 
 export function followWarpings(
-  comparer: Pick<Comparer, 'warp'>,
+  comparer: Warper,
   wish: ReadonlySignal<WarpingWish | null>,
 ): Warpings {
-  const found = signal(none);
-  const progress = signal<number | null>(null);
-  const failure = signal<unknown>(null);
-  const destroy = effect(() => {
-    found.value = none;
-    progress.value = failure.value = null;
-    const wanted = wish.value;
-    if (!wanted || wanted.clips.length < 2) return;
-    const abort = new AbortController();
-    void warpAll(comparer, wanted, { found, progress, failure }, abort.signal);
-    return () => abort.abort();
-  });
-  return { found, progress, failure, destroy };
+  return new Following(comparer, wish);
 }
 
-interface Told {
-  readonly found: { value: ReadonlyMap<ClipId, Warping>; peek(): ReadonlyMap<ClipId, Warping> };
-  readonly progress: { value: number | null };
-  readonly failure: { value: unknown };
-}
+class Following implements Warpings {
+  readonly found = signal<ReadonlyMap<ClipId, Warping>>(new Map());
+  readonly progress = signal<number | null>(null);
+  readonly failure = signal<unknown>(null);
+  readonly cancelled = signal(false);
+  readonly destroy: () => void;
+  private readonly done = new Map<ClipId, { readonly job: Job; readonly warping: Warping }>();
+  private jobs: readonly Job[] = [];
+  private abort = new AbortController();
 
-/** One after the other, B first. */
-async function warpAll(
-  comparer: Pick<Comparer, 'warp'>,
-  { clips, mirrorB }: WarpingWish,
-  told: Told,
-  abort: AbortSignal,
-): Promise<void> {
-  const [a, ...others] = clips;
-  for (const [i, other] of others.entries()) {
-    const isB = i === 0;
-    const tell = (done: number | null): void => {
-      if (isB && !abort.aborted) told.progress.value = done;
+  constructor(
+    private readonly comparer: Warper,
+    wish: ReadonlySignal<WarpingWish | null>,
+  ) {
+    const end = effect(() => {
+      this.jobs = jobsOf(wish.value);
+      untracked(() => this.warp());
+    });
+    this.destroy = () => {
+      end();
+      this.abort.abort();
     };
-    tell(0);
-    try {
-      const settings = { band: null, mirrorB: isB && mirrorB };
-      const work = { signal: abort, onProgress: ({ done }: { done: number }) => tell(done) };
-      const warping = await comparer.warp(a.id, other.id, settings, work);
+  }
+
+  readonly cancel = (): void => {
+    this.abort.abort();
+    this.progress.value = null;
+    this.cancelled.value = true;
+  };
+
+  readonly warp = (): void => {
+    this.abort.abort();
+    this.abort = new AbortController();
+    this.progress.value = this.failure.value = null;
+    this.cancelled.value = false;
+    for (const [id, { job }] of this.done)
+      if (!this.jobs.some((wanted) => wanted.id === id && isSame(wanted, job)))
+        this.done.delete(id);
+    this.tell();
+    void this.run(
+      this.jobs.filter(({ id }) => !this.done.has(id)),
+      this.abort.signal,
+    );
+  };
+
+  /** One after the other, B first. */
+  private async run(jobs: readonly Job[], abort: AbortSignal): Promise<void> {
+    for (const job of jobs) {
+      await this.runOne(job, abort);
       if (abort.aborted) return;
-      told.found.value = new Map([...told.found.peek(), [other.id, warping]]);
-    } catch (error) {
-      if (abort.aborted) return;
-      if (isB) told.failure.value = error;
+      this.progress.value = null;
     }
-    tell(null);
+  }
+
+  private async runOne(job: Job, abort: AbortSignal): Promise<void> {
+    const onProgress = ({ done }: { done: number }): void => {
+      if (job.isB && !abort.aborted) this.progress.value = done;
+    };
+    onProgress({ done: 0 });
+    try {
+      const settings = { band: null, mirrorB: job.mirrored };
+      const warping = await this.comparer.warp(job.a, job.id, settings, {
+        signal: abort,
+        onProgress,
+      });
+      if (abort.aborted) return;
+      this.done.set(job.id, { job, warping });
+      this.tell();
+    } catch (error) {
+      if (job.isB && !abort.aborted) this.failure.value = error;
+    }
+  }
+
+  private tell(): void {
+    const before = this.found.peek();
+    const now = new Map([...this.done].map(([id, { warping }]) => [id, warping] as const));
+    const same = now.size === before.size && [...now].every(([id, one]) => before.get(id) === one);
+    if (!same) this.found.value = now;
   }
 }
+
+function jobsOf(wish: WarpingWish | null): Job[] {
+  const [a, ...others] = wish?.clips ?? [];
+  return others.map(({ id, result }, i) => ({
+    isB: i === 0,
+    id,
+    a: a.id,
+    results: [a.result, result],
+    mirrored: i === 0 && wish?.mirrorB === true,
+  }));
+}
+
+const isSame = (one: Job, other: Job): boolean =>
+  one.a === other.a &&
+  one.mirrored === other.mirrored &&
+  one.results.every((result, i) => result === other.results[i]);

@@ -21,4 +21,5 @@ export function watchCorners(overlay: HTMLElement, onChange: (corners: Corners) 
     tell();
   };
   new MutationObserver(watch).observe(overlay, { childList: true });
+  watch();
 }
