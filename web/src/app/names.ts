@@ -31,6 +31,10 @@ export function qualifiers(clips: readonly Clip[]): ReadonlyMap<ClipId, string> 
   return new Map(shared.flatMap(qualified));
 }
 
+/** A name after what tells it from its namesakes; the qualifier may be empty. */
+export const qualifiedName = (name: string, qualifier = ''): string =>
+  qualifier === '' ? name : `${qualifier} ${name}`;
+
 export const tailLength = 9;
 
 /** A name in two parts: the first may be cut short, the second always shows. */

@@ -26,6 +26,7 @@ function partsOf({ store, language }: Context): PictureParts | null {
     cut: cut.peek(),
     kind: order.peek(),
     clips: store.clips.peek(),
+    qualifiers: store.qualifiers.peek(),
     labels: store.labels.peek(),
     labelNames: store.labelNames.peek(),
   });
@@ -67,6 +68,7 @@ function inTreeOrder({ store }: Context, { scene }: PictureParts) {
     cut: scene.cut,
     kind: 'tree',
     clips: store.clips.peek(),
+    qualifiers: store.qualifiers.peek(),
     labels: store.labels.peek(),
     labelNames: store.labelNames.peek(),
   });

@@ -2,6 +2,7 @@
 import type { Clip } from '../app/clips';
 import type { MatrixOrder } from '../app/compare-store';
 import type { Comparison, Cut } from '../engine/comparison-types';
+import { qualifiedName } from '../app/names';
 import type { ClipId } from '../engine/types';
 import { orderItems, type Ordering } from './item-order';
 import { treeNodes, type TreeNodes } from './tree-layout';
@@ -11,7 +12,7 @@ export interface Scene extends Ordering {
   readonly cut: Cut | null;
   readonly kind: MatrixOrder;
   readonly count: number;
-  /** File names without their ending, by item. */
+  /** File names without their ending, told apart, by item. */
   readonly names: readonly string[];
   /** Every label of the library once; its place gives it colour and shape. */
   readonly labels: readonly string[];
@@ -26,6 +27,8 @@ export interface SceneParts {
   readonly cut: Cut | null;
   readonly kind: MatrixOrder;
   readonly clips: readonly Clip[];
+  /** What tells namesakes apart. */
+  readonly qualifiers: ReadonlyMap<ClipId, string>;
   readonly labels: ReadonlyMap<ClipId, string | null>;
   readonly labelNames: readonly string[];
 }
@@ -37,9 +40,11 @@ const fittingCut = ({ cut, comparison }: SceneParts): Cut | null =>
   cut?.clusterOfItem.length === comparison.clips.length ? cut : null;
 
 export function sceneOf(parts: SceneParts): Scene {
-  const { comparison, kind, clips } = parts;
+  const { comparison, kind, clips, qualifiers } = parts;
   const { clips: ids, tree } = comparison;
-  const names = Array.from(ids, (id) => plainName(clips[id]?.source.name ?? ''));
+  const names = Array.from(ids, (id) =>
+    qualifiedName(plainName(clips[id]?.source.name ?? ''), qualifiers.get(id)),
+  );
   const labelOf = Array.from(ids, (id) => parts.labels.get(id) ?? null);
   const labels = parts.labelNames;
   const indexOf = new Map(labels.map((label, index) => [label, index]));

@@ -65,14 +65,12 @@ function labellingOf({ store }: Context): ReadonlySignal<Labelling> {
 const isSameList = (a: readonly string[], b: readonly string[]): boolean =>
   a.length === b.length && a.every((one, k) => one === b[k]);
 
-export function createShared(place: Element, context: Context): Shared {
-  const { store, theme } = context;
-  const { comparison, cut, order, otherId, hovered } = store.compare;
-  const pictures = new PictureSource(context.comparer);
-  const facts = new HoverFacts(context.comparer);
-  const { scene } = pictures;
+/** The scene of the newest comparison. */
+function latestScene(context: Context): ReadonlySignal<Scene | null> {
+  const { store } = context;
+  const { comparison, cut, order } = store.compare;
   const labelling = labellingOf(context);
-  const latest = computed(() =>
+  return computed(() =>
     comparison.value
       ? sceneOf({
           comparison: comparison.value,
@@ -80,10 +78,20 @@ export function createShared(place: Element, context: Context): Shared {
           kind: order.value,
           // A clip of a comparison keeps its name: what else is told of clips changes while they load.
           clips: store.clips.peek(),
+          qualifiers: store.qualifiers.peek(),
           ...labelling.value,
         })
       : null,
   );
+}
+
+export function createShared(place: Element, context: Context): Shared {
+  const { store, theme } = context;
+  const { comparison, otherId, hovered } = store.compare;
+  const pictures = new PictureSource(context.comparer);
+  const facts = new HoverFacts(context.comparer);
+  const { scene } = pictures;
+  const latest = latestScene(context);
   effect(() => pictures.follow(latest.value));
   effect(() => {
     void comparison.value;

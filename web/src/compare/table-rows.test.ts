@@ -18,13 +18,14 @@ const labels = new Map([
   [4, 'walk'],
   [5, null],
 ]);
+const qualifiers = new Map<number, string>();
 const comparison = {
   clips: Int32Array.from([0, 1, 3]),
   nearest: Int32Array.from([2, 0, 0]),
   nearestDistances: Float64Array.from([0.1, 0.5, 0.1]),
 } as Comparison;
 const cut: Cut = { clusters: 2, clusterOfItem: Int32Array.from([0, 1, 0]), height: 0.3 };
-const facts = clipFacts({ clips, labels, comparison, cut });
+const facts = clipFacts({ clips, qualifiers, labels, comparison, cut });
 
 const settings: RowSettings = {
   sort: { column: 'name', descending: false },
@@ -45,6 +46,12 @@ test('a clip knows its cluster from 1, what is nearest, and how far', () => {
     nearestId: 0,
     distance: 0.5,
   });
+});
+
+test('a namesake is named with what tells it apart', () => {
+  const namesakes = new Map([[0, 'left']]);
+  const named = clipFacts({ clips, qualifiers: namesakes, labels, comparison, cut });
+  expect([named[0].name, named[1].nearest]).toEqual(['left b2.bvh', 'left b2.bvh']);
 });
 
 test('clips that are not compared stand as rows without those figures', () => {
@@ -81,7 +88,7 @@ test('grouped by label; those without, and those apart, last', () => {
 
 test('a cut of an older comparison is not shown', () => {
   const older = { ...cut, clusterOfItem: Int32Array.from([0]) };
-  expect(clipFacts({ clips, labels, comparison, cut: older })[0].cluster).toBe(null);
+  expect(clipFacts({ clips, qualifiers, labels, comparison, cut: older })[0].cluster).toBe(null);
 });
 
 test('keys go from clip to clip over the heads of groups', () => {

@@ -1,6 +1,7 @@
 /** Clips, labels, comparison and cut in; the rows of the table, filtered, sorted and grouped, out. */
 import { isAnalysed, keyposeCount, lengthOf, type Clip } from '../app/clips';
 import type { Labels } from '../app/labels';
+import { qualifiedName } from '../app/names';
 import { compareText, filterClips } from '../app/order';
 import type { Comparison, Cut } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
@@ -36,6 +37,7 @@ export interface ClipFacts {
 
 export interface FactSources {
   readonly clips: readonly Clip[];
+  readonly qualifiers: ReadonlyMap<ClipId, string>;
   readonly labels: Labels;
   readonly comparison: Comparison | null;
   readonly cut: Cut | null;
@@ -45,11 +47,13 @@ type Compared = Pick<ClipFacts, 'cluster' | 'nearest' | 'nearestId' | 'distance'
 
 const notCompared: Compared = { cluster: null, nearest: null, nearestId: null, distance: null };
 
-function comparedBy({ clips, comparison, cut }: FactSources): (id: ClipId) => Compared {
+function comparedBy({ clips, qualifiers, comparison, cut }: FactSources): (id: ClipId) => Compared {
   if (!comparison) return () => notCompared;
   const { clips: ids, nearest, nearestDistances } = comparison;
   const itemOf = new Map(Array.from(ids, (id, item) => [id, item]));
-  const nameOf = new Map(clips.map(({ id, source }) => [id, source.name]));
+  const nameOf = new Map(
+    clips.map(({ id, source }) => [id, qualifiedName(source.name, qualifiers.get(id))]),
+  );
   // A cut of an older comparison says nothing of this one.
   const clusters = cut?.clusterOfItem.length === ids.length ? cut.clusterOfItem : null;
   return (id) => {
@@ -72,7 +76,7 @@ export function clipFacts(sources: FactSources): readonly ClipFacts[] {
     const extent = clip.result ?? clip.extent;
     return {
       clip,
-      name: clip.source.name,
+      name: qualifiedName(clip.source.name, sources.qualifiers.get(clip.id)),
       label: sources.labels.get(clip.id) ?? null,
       length: extent && lengthOf(extent),
       rate: extent && extent.frameTimeS > 0 ? 1 / extent.frameTimeS : null,

@@ -23,6 +23,7 @@ export function createTableState({ store }: Context): TableState {
   const facts = computed(() =>
     clipFacts({
       clips: store.present.value,
+      qualifiers: store.qualifiers.value,
       labels: store.labels.value,
       comparison: store.compare.comparison.value,
       cut: store.compare.cut.value,

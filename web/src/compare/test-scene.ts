@@ -37,6 +37,7 @@ export function testScene(parts: Partial<SceneParts> = {}): Scene {
     cut: testCut,
     kind: 'tree',
     clips: ['a.bvh', 'b.bvh', 'c.bvh', 'd.bvh'].map((name, id) => testClip(id, name)),
+    qualifiers: new Map(),
     labels: new Map([
       [0, 'walk'],
       [1, 'walk'],
