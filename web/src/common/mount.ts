@@ -33,6 +33,19 @@ function schedule(draw: () => void): void {
   request();
 }
 
+/** What goes wrong in one view is told and leaves the others, and its own next try, alone. */
+function tellingErrors(update: () => void): void {
+  try {
+    update();
+  } catch (error) {
+    reportError(error);
+  }
+}
+
+/** Runs `update` now, and again as soon as any signal that it read has changed. */
+export const followAtOnce = (update: () => void): (() => void) =>
+  effect(() => tellingErrors(update));
+
 /** Runs `update` now, and once in the next frame after any signal that it read has changed. */
 export function follow(update: () => void): () => void {
   let stop = (): void => undefined;
@@ -42,12 +55,7 @@ export function follow(update: () => void): () => void {
     stop = effect(() => {
       if (!first) return schedule(run);
       first = false;
-      // What goes wrong in one view is told and leaves the others, and its own next try, alone.
-      try {
-        update();
-      } catch (error) {
-        reportError(error);
-      }
+      tellingErrors(update);
     });
   };
   run();

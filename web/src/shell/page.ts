@@ -1,6 +1,7 @@
 /** The whole page: every place filled, and the few things that concern all of them. */
 import { effect } from '@preact/signals-core';
 import { follow, mount } from '../common/mount';
+import { inTasks } from '../common/tasks';
 import { installSplitter } from '../common/splitter';
 import type { Context } from '../app/context';
 import { themeChoices } from '../app/theme';
@@ -18,7 +19,7 @@ import { showPages } from './pages';
 import { notices } from './toasts';
 import { topBar, type OpenClipPlace, type TopBarProps } from './top-bar';
 
-/** What a visitor meets first; the study is mounted in a task of its own, so that none lasts 50 ms. */
+/** What a visitor meets first; the study is mounted in tasks of its own, so that none lasts 50 ms. */
 export function mountPage(places: Places, context: Context, settings: StageSettings): void {
   wearTheTheme(context);
   mountTopBar(places, context);
@@ -27,24 +28,30 @@ export function mountPage(places: Places, context: Context, settings: StageSetti
   showWhatIsDue(places, context);
   showPages(places, context, settings);
   speakTheLanguage(context);
-  setTimeout(() => mountStudy(places, context, settings));
+  mountStudy(places, context, settings);
 }
 
 function mountStudy(places: Places, context: Context, settings: StageSettings): void {
-  mountLibrary(places.library, context);
-  mountInspector(places.inspector, context);
   const {
     stage,
     'stage-figure': figure,
     'stage-overlay': overlay,
     'spoken-caption': spoken,
   } = places;
-  mountStage({ stage, figure, overlay, spoken }, context, settings);
-  mountTransport(places.transport, context);
-  mountStrip(places.strip, context);
-  mountTimeline(places.timeline, context);
-  mountHelp(places, context);
-  mountSplitters(places, context);
+  inTasks([
+    () => mountLibrary(places.library, context),
+    () => mountInspector(places.inspector, context),
+    () => mountStage({ stage, figure, overlay, spoken }, context, settings),
+    () => {
+      mountTransport(places.transport, context);
+      mountStrip(places.strip, context);
+      mountTimeline(places.timeline, context);
+    },
+    () => {
+      mountHelp(places, context);
+      mountSplitters(places, context);
+    },
+  ]);
 }
 
 function clipPlace({ store }: Context): OpenClipPlace | null {

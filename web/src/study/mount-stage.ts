@@ -3,7 +3,7 @@ import { computed, effect, signal, type ReadonlySignal } from '@preact/signals-c
 import type { Context } from '../app/context';
 import type { Store } from '../app/store';
 import { posture } from '../app/posture';
-import { follow, mount } from '../common/mount';
+import { follow, followAtOnce, mount } from '../common/mount';
 import { createPoseSource } from '../engine/pose-source';
 import { performerLetter } from '../figure/performer-letter';
 import type { Stage, StageHit, StagePerformer, StageProps } from '../stage';
@@ -125,11 +125,15 @@ function showScene(stage: StageSignal, context: Context): void {
   // The same result means the same figures, whatever else has changed about the clip.
   const result = computed(() => store.openClip.value?.result ?? null);
   let performers: StagePerformer[] = [];
-  follow(() => {
-    performers.forEach(({ source }) => source.destroy());
+  // The poses come while the next frame is waited for, and are drawn in it.
+  followAtOnce(() => {
+    const before = performers;
     performers = stage.value && result.value ? performersOf(context) : [];
+    const { frame } = store.playback.peek();
+    performers.forEach(({ source }) => source.prefetch(frame, 0));
     stage.value?.update({ performers });
-    stage.value?.show(store.playback.peek().frame);
+    stage.value?.show(frame);
+    before.forEach(({ source }) => source.destroy());
   });
   follow(() => stage.value?.show(store.playback.value.frame));
   follow(() => stage.value?.update({ chosen: store.performer.value }));
