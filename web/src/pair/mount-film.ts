@@ -85,13 +85,13 @@ function createChoices(
 /** A path or places that are not known yet would make another film than the one asked for. */
 function waitsFor(
   { store }: Context,
-  { warpProgress }: PairState,
+  { warpings }: PairState,
   { placements }: PairStages,
 ): ReadonlySignal<boolean> {
   const { superposed, synchronisation } = store.compare;
   return computed(
     () =>
-      (synchronisation.value === 'warp' && warpProgress.value !== null) ||
+      (synchronisation.value === 'warp' && warpings.progress.value !== null) ||
       (superposed.value && placements.value === null),
   );
 }

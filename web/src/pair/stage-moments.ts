@@ -17,13 +17,20 @@ type Shown = ReadonlySignal<ShownClip | null>;
 type StageSignal = ReadonlySignal<Stage | null>;
 
 const noGhosts: readonly StageGhost[] = [];
-/** Keyposes on either side that are shown. */
+/** Keyposes on either side that are shown; of one of many clips on a stage, for the time to draw them. */
 const REACH = 2;
+const REACH_AMONG_MANY = 1;
+const MANY = 5;
 
 /** Keyposes around the current one, which is the figure itself or next to it. */
-export function keyposesAround(keyposes: Int32Array, current: number | null): NumberedFrame[] {
+export function keyposesAround(
+  keyposes: Int32Array,
+  current: number | null,
+  together = 1,
+): NumberedFrame[] {
   if (current === null) return [];
-  return Array.from({ length: 2 * REACH + 1 }, (_, i) => current - REACH + i)
+  const reach = together < MANY ? REACH : REACH_AMONG_MANY;
+  return Array.from({ length: 2 * reach + 1 }, (_, i) => current - reach + i)
     .filter((index) => index !== current && index >= 0 && index < keyposes.length)
     .map((index) => ({ number: index + 1, frame: keyposes[index] }));
 }
@@ -36,9 +43,10 @@ export function showKeyposes(
 ): void {
   const { store, language, engine } = context;
   const current = computed(() => state.currentKeyposes.value[shown.value?.place ?? -1] ?? null);
+  const together = computed(() => (store.compare.superposed.value ? state.clips.value.length : 1));
   const moments = computed(() =>
     store.ghosts.value && shown.value
-      ? keyposesAround(shown.value.clip.keyposes, current.value)
+      ? keyposesAround(shown.value.clip.keyposes, current.value, together.value)
       : [],
   );
   const ghosts = fetchedPoses(engine, shown, moments, ({ number }) =>

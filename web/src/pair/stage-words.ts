@@ -62,6 +62,7 @@ export function captionAt(
     clip,
     frame,
     state.currentKeyposes.value[place] ?? null,
+    named,
   );
 }
 
@@ -70,6 +71,7 @@ export function captionOfClip(
   clip: PairClip,
   frame: number,
   current: number | null,
+  named = false,
 ): Caption {
   const postures = clip.performer.keyposes?.postures ?? [];
   return captionOf(words, {

@@ -8,8 +8,8 @@ const fartherFirst = (a: GhostView, b: GhostView): number => b.distance - a.dist
 
 const nobody: StageGhost = { tag: '', pose: new Float32Array() };
 
-/** At the previous keypose and at the next, and at the moment under the pointer. */
-export const MOST_GHOSTS = 3;
+/** At two keyposes before and two after, and at the moment under the pointer. */
+export const MOST_GHOSTS = 5;
 
 export class GhostSet {
   private readonly scene: Scene;

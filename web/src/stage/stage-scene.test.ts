@@ -92,7 +92,7 @@ describe('StageScene', () => {
     stage.setGhosts([moved(2, 0), moved(-3, 0)].map(ghost));
     stage.showFrame(0);
     expect(instances(stage)).toEqual([22, 22, 22, 22, 22]);
-    expect(stage.ghostViews.map((ghost) => ghost?.x)).toEqual([1, -1.5, undefined]);
+    expect(stage.ghostViews.slice(0, 3).map((ghost) => ghost?.x)).toEqual([1, -1.5, undefined]);
     expect(stage.place.ghosts).toBeCloseTo(1.5, 6);
     stage.setGhosts([moved(1, 0)].map(ghost));
     expect(instances(stage)).toEqual([22, 22, 22]);
@@ -121,6 +121,14 @@ describe('StageScene', () => {
     stage.setEye(new Vector3(0, 1, -9));
     expect(orders()).not.toEqual(fromFront);
     expect(new Set(orders().slice(0, 4))).toEqual(new Set([2, 3, 4, 5]));
+  });
+
+  it('draws two keyposes on either side and the moment under the pointer', () => {
+    const stage = new StageScene();
+    stage.setPerformers([performerOf([standingPose])]);
+    stage.setGhosts([1, 2, 3, 4, 5].map((x) => ghost(moved(x, 0))));
+    stage.showFrame(0);
+    expect(stage.ghostViews.filter((view) => view !== null).length).toBe(5);
   });
 
   it('has ghosts of the chosen performer, and none of a pose that is not its', () => {
