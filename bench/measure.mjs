@@ -79,3 +79,16 @@ export async function measureManyClips(address, count) {
   const spreads = Object.entries(frames).map(([name, each]) => [name, spread(each)]);
   return { ...times, ...Object.fromEntries(spreads) };
 }
+
+/** What so many vectors are compared by in `measureLongestSteps`. */
+const STEPS_BY = ['Ward', 'group average', 'mirror-aware'];
+
+/** The longest steps of what the comparison's worker does with so many vectors, in ms, and its memory. */
+export async function measureLongestSteps(address, count) {
+  const found = [];
+  for (const by of STEPS_BY) {
+    const { value } = await inFreshPage(address, [], 'longestSteps', count, by);
+    found.push({ by, ...value });
+  }
+  return found;
+}

@@ -82,13 +82,27 @@ function manyTable(many) {
   ]);
 }
 
+function stepsTable(steps) {
+  const [{ clips, longestMs }] = steps;
+  const names = Object.keys(longestMs);
+  const header = [`longest step of ${clips} clips, ms`, ...names, 'all compared, s', 'memory, MB'];
+  const rows = steps.map((one) => [
+    one.by,
+    ...names.map((name) => digits(one.longestMs[name])),
+    seconds(one.comparedMs),
+    megabytes(one.memoryBytes),
+  ]);
+  return table(header, rows);
+}
+
 /** The tables of comparing. */
-export function comparingTables({ set, linkage, stages, many }) {
+export function comparingTables({ set, linkage, stages, many, steps }) {
   return [
     appTable(set),
     commandTable(set),
     linkageTable(linkage),
     stagesTable(stages),
     manyTable(many),
+    stepsTable(steps),
   ];
 }

@@ -14,6 +14,7 @@ import { measureFolder } from '../bench/folder.mjs';
 import { measureLinkage, measureStages } from '../bench/linkage.mjs';
 import {
   measureExtraction,
+  measureLongestSteps,
   measureManyClips,
   measureOpening,
   measureReading,
@@ -98,6 +99,7 @@ async function measureComparing(page, app) {
     linkage: measureLinkage(join(results, 'files'), vectors, Math.min(runs, 3)),
     stages: measureStages(vectors, Math.min(runs, 3)),
     many: await measureManyClips(page, vectors),
+    steps: await measureLongestSteps(page, vectors),
   };
 }
 

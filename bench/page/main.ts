@@ -3,6 +3,7 @@ import { loadCore } from '../../web/src/engine/raw';
 import { type BitsFound, compareBits } from './bits';
 import { type Extracted, extract } from './extraction';
 import { bytesOf } from './files';
+import { type LongestSteps, longestSteps } from './longest-steps';
 import { type ManyClips, manyClips } from './many-clips';
 import { type Opened, open } from './opening';
 import { poseAll, readByKeypose, readByThree } from './readers';
@@ -71,9 +72,9 @@ async function extraction(name: string, runs: number): Promise<Extracted[]> {
   return found;
 }
 
-export type { BitsFound, Extracted, ManyClips, Opened, StageFrames };
+export type { BitsFound, Extracted, LongestSteps, ManyClips, Opened, StageFrames };
 
-const bench = { read, bits, extraction, open, drawFrames, manyClips };
+const bench = { read, bits, extraction, open, drawFrames, longestSteps, manyClips };
 
 declare global {
   interface Window {

@@ -104,6 +104,8 @@ impl ComparisonHandle {
     /// lie, unless they were laid out by another distance. Throws the failure of settings that cannot be.
     pub fn begin(&mut self, settings: &JsSettings, keeps_places: bool) -> Result<(), JsError> {
         let settings = settings::settings(settings)?;
+        // Its memory goes first: that of all pairs is much.
+        self.run = None;
         let features = self.clips.iter().map(|clip| Rc::clone(&clip.feature));
         let run = ComparisonRun::new(features.collect(), settings);
         self.run = Some(Run {
@@ -286,11 +288,9 @@ impl ComparisonHandle {
     fn take(&mut self, run: Run) {
         let clips = run.clips;
         let mut comparison = run.run.finish();
-        let distance = comparison.settings.distance;
-        let (places, map) = (&mut self.places, comparison.map);
         comparison.map = match run.keeps_places {
-            true => places.keep(map, &clips),
-            false => places.lay_out(distance, map, &clips, &self.clips),
+            true => self.places.keep(comparison.map, &clips),
+            false => self.places.lay_out(&comparison, &clips, &self.clips),
         };
         self.compared = Some(Rc::new(Compared { comparison, clips }));
     }

@@ -3,6 +3,7 @@
 
 use std::collections::HashMap;
 
+use comparison::comparison::Comparison;
 use comparison::distance::Distance;
 use comparison::layout::Layout;
 use comparison::map::{self, Map, Place};
@@ -58,12 +59,11 @@ impl Places {
         self.of_clip.insert(id, place);
     }
 
-    /// Lays out a new map as clips lay before, and then those that have arrived since, which `told`
-    /// holds too.
+    /// Lays out the map of a comparison as its clips lay before, and then those that have arrived since,
+    /// which `told` holds too.
     pub fn lay_out(
         &mut self,
-        distance: Distance,
-        map: Map,
+        comparison: &Comparison,
         clips: &[NamedClip],
         told: &[NamedClip],
     ) -> Map {
@@ -71,11 +71,11 @@ impl Places {
         let known: Vec<(usize, Place)> = items
             .filter_map(|(item, clip)| Some((item, self.of(clip)?)))
             .collect();
-        let map = map::procrustes(&map, &known);
+        let map = map::procrustes(&comparison.map, &known);
         let places = clips.iter().zip(&map.places);
         self.of_clip = places.map(|(clip, place)| (clip.id, *place)).collect();
-        let features = clips.iter().map(|clip| clip.feature.clone()).collect();
-        self.layout = Some(Layout::new(distance, features, map.clone()));
+        let (distance, distances) = (comparison.settings.distance, comparison.distances.clone());
+        self.layout = Some(Layout::new(distance, distances, map.clone()));
         for clip in told {
             self.arrive(clip);
         }

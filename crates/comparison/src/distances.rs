@@ -70,14 +70,19 @@ impl Distances {
     /// The distances of `item` to all later ones.
     pub fn to_later(&self, item: usize) -> Vec<f64> {
         let mut row = vec![0.0; self.items() - item - 1];
-        self.write(&self.blocks, item, item + 1, &mut row);
+        self.write(&self.blocks, &self.vectors[item], item + 1, &mut row);
         row
     }
 
     /// The distances of `item` to all items; that to itself is 0.
     pub fn row(&self, item: usize) -> Vec<f64> {
+        self.from_vector(&self.vectors[item])
+    }
+
+    /// The distances of a vector, of an item or of something else, to all items.
+    pub fn from_vector(&self, vector: &Vector) -> Vec<f64> {
         let mut row = vec![0.0; self.items()];
-        self.write(&self.blocks, item, 0, &mut row);
+        self.write(&self.blocks, vector, 0, &mut row);
         row
     }
 
@@ -94,9 +99,8 @@ impl Distances {
         rows.flat_map(|item| self.to_later(item)).collect()
     }
 
-    /// Writes the distances of `item` to some vectors from `first` on, as many as `out` holds.
-    fn write(&self, to: &Blocks, item: usize, first: usize, out: &mut [f64]) {
-        let vector = &self.vectors[item];
+    /// Writes the distances of a vector to others from `first` on, as many as `out` holds.
+    fn write(&self, to: &Blocks, vector: &Vector, first: usize, out: &mut [f64]) {
         to.distances(vector, first, out);
         if self.is_mirror_aware {
             to.lessen(&mirror(vector), first, out);
@@ -113,7 +117,7 @@ pub struct Columns {
 impl Columns {
     /// Writes the distances of `item` to the columns from `first` on, as many as `out` holds.
     pub fn distances(&self, distances: &Distances, item: usize, first: usize, out: &mut [f64]) {
-        distances.write(&self.blocks, item, first, out);
+        distances.write(&self.blocks, &distances.vectors[item], first, out);
     }
 }
 

@@ -1,25 +1,24 @@
-//! A map that stays while clips arrive: the clips it was made of go in, the place of a further one comes
-//! out. What lies there does not move for it.
-
-use std::rc::Rc;
+//! A map that stays while clips arrive: the distances it was made of go in, the place of a further clip
+//! comes out. What lies there does not move for it.
 
 use crate::distance::Distance;
+use crate::distances::Distances;
 use crate::feature::ClipFeature;
 use crate::map::{Map, Place, gower_place};
 
 /// Clips laid out in the plane by one distance.
 pub struct Layout {
     distance: Distance,
-    clips: Vec<Rc<ClipFeature>>,
+    distances: Distances,
     map: Map,
 }
 
 impl Layout {
-    /// The map of these clips, in their order.
-    pub fn new(distance: Distance, clips: Vec<Rc<ClipFeature>>, map: Map) -> Self {
+    /// The map of the items that have these distances.
+    pub fn new(distance: Distance, distances: Distances, map: Map) -> Self {
         Self {
             distance,
-            clips,
+            distances,
             map,
         }
     }
@@ -36,17 +35,17 @@ impl Layout {
 
     /// Where one more clip lies, by its distances to all that were laid out (Gower 1968).
     pub fn place(&self, clip: &ClipFeature) -> Place {
-        let to = |laid: &Rc<ClipFeature>| self.distance.between(laid, clip).value;
-        let distances: Vec<f64> = self.clips.iter().map(to).collect();
+        let distances = self.distances.from_vector(self.distance.vector(clip));
         gower_place(&self.map, &distances)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::rc::Rc;
+
     use super::*;
     use crate::distance::Dissimilarity;
-    use crate::distances::Distances;
     use crate::feature::{FEATURE_LENGTH, JOINTS, Vector};
     use crate::map::{of_matrix, of_vectors, procrustes};
     use crate::{comparison::Comparison, settings::Settings};
@@ -94,7 +93,11 @@ mod tests {
             );
             let turned = [[5.0, 1.0], [5.0, 3.0], [4.0, 1.0], [2.0, 4.0], [3.0, 0.0]];
             let known: Vec<(usize, Place)> = turned.into_iter().enumerate().collect();
-            let layout = Layout::new(distance, clips(), procrustes(&map, &known));
+            let layout = Layout::new(
+                distance,
+                Distances::of(distance, &clips()),
+                procrustes(&map, &known),
+            );
             for (clip, place) in clips().iter().zip(&layout.map().places) {
                 assert!(is_near(layout.place(clip), *place));
             }
@@ -109,7 +112,7 @@ mod tests {
                 .vectors()
                 .expect("vectors"),
         );
-        let layout = Layout::new(distance, clips(), map);
+        let layout = Layout::new(distance, Distances::of(distance, &clips()), map);
         let mut outside = clips()[2].recorded;
         outside[7] = 40.0;
         assert!(is_near(
@@ -126,7 +129,7 @@ mod tests {
             cut: None,
         };
         let compared = Comparison::of(clips(), settings).expect("settings that go together");
-        let layout = Layout::new(settings.distance, clips(), compared.map);
+        let layout = Layout::new(settings.distance, compared.distances, compared.map);
         let mirrored = crate::distance::mirror(&clips()[3].recorded);
         assert!(is_near(
             layout.place(&clip(mirrored)),
@@ -137,7 +140,8 @@ mod tests {
                 .between(&clips()[one], &clips()[other])
                 .value
         }));
-        let layout = Layout::new(distance(false, false), clips(), plain);
+        let distance = distance(false, false);
+        let layout = Layout::new(distance, Distances::of(distance, &clips()), plain);
         assert!(!is_near(
             layout.place(&clip(mirrored)),
             layout.place(&clips()[3])

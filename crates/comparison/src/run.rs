@@ -33,6 +33,8 @@ pub struct ComparisonRun {
     tree: Dendrogram,
     order: Order,
     spread: Spread,
+    clusters: usize,
+    bic: Vec<f64>,
 }
 
 /// What is under way.
@@ -44,6 +46,7 @@ enum Work {
     Average(GroupAverageSteps),
     Ordering(OrderSteps),
     Spreading(SpreadRun),
+    Cutting,
     Done,
 }
 
@@ -55,6 +58,7 @@ mod weight {
     pub const AVERAGE: f64 = 6.0;
     pub const ORDERING: f64 = 2.0;
     pub const SPREADING: f64 = 2.0;
+    pub const CUTTING: f64 = 0.05;
 }
 
 impl ComparisonRun {
@@ -86,6 +90,8 @@ impl ComparisonRun {
                 optimal: true,
             },
             spread: Spread::default(),
+            clusters: 0,
+            bic: Vec::new(),
         })
     }
 
@@ -101,6 +107,7 @@ impl ComparisonRun {
                 (steps.step(PAIRS_A_STEP, &distance), weight::ORDERING)
             }
             Work::Spreading(run) => (run.step(&self.distances, PAIRS_A_STEP), weight::SPREADING),
+            Work::Cutting => (1.0, weight::CUTTING),
             Work::Done => return 1.0,
         };
         if part < 1.0 {
@@ -117,8 +124,6 @@ impl ComparisonRun {
     /// Does what is left.
     pub fn finish(mut self) -> Comparison {
         while self.step() < 1.0 {}
-        let rule = self.settings.rule();
-        let (automatic_clusters, bic) = clusters_of(rule, &self.distances, &self.tree);
         let vectors = self.distances.vectors().unwrap_or(&[]);
         Comparison {
             settings: self.settings,
@@ -128,8 +133,8 @@ impl ComparisonRun {
             tree: self.tree,
             order: self.order,
             spread: self.spread,
-            automatic_clusters,
-            bic,
+            automatic_clusters: self.clusters,
+            bic: self.bic,
         }
     }
 
@@ -153,6 +158,11 @@ impl ComparisonRun {
             }
             Work::Spreading(run) => {
                 self.spread = run.finish();
+                Work::Cutting
+            }
+            Work::Cutting => {
+                let rule = self.settings.rule();
+                (self.clusters, self.bic) = clusters_of(rule, &self.distances, &self.tree);
                 Work::Done
             }
             Work::Done => Work::Done,
@@ -171,7 +181,7 @@ impl ComparisonRun {
             Linkage::Ward => weight::WARD,
             Linkage::Average => weight::FILLING + weight::AVERAGE,
         };
-        tree + mapping + weight::ORDERING + weight::SPREADING
+        tree + mapping + weight::ORDERING + weight::SPREADING + weight::CUTTING
     }
 }
 
