@@ -1,5 +1,6 @@
 /** Places of items and the room in; where they stand on the screen, and where figures have room, out. */
 import type { Point } from './hull';
+import { PointGrid } from './point-grid';
 
 export interface Box {
   readonly left: number;
@@ -99,10 +100,6 @@ export function middleMember(members: readonly number[], places: Float64Array): 
 const overlaps = (a: Box, b: Box): boolean =>
   a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 
-/** Whether a square of twice the radius around a point overlaps the box. */
-const isNear = ({ left, top, right, bottom }: Box, x: number, y: number, radius: number): boolean =>
-  x + radius > left && x - radius < right && y + radius > top && y - radius < bottom;
-
 const within = (box: Box, room: Box): boolean =>
   box.left >= room.left &&
   box.right <= room.right &&
@@ -171,11 +168,12 @@ export function placeFigures(
 ): readonly (Point | null)[] {
   const { room, width, height, points, radius, taken } = figures;
   const boxes = [...taken];
+  const grid = new PointGrid(points);
   return anchors.map((anchor) => {
     const free = candidates(anchor, figures).find((middle) => {
       const box = around(middle, width, height);
       if (!within(box, room) || boxes.some((other) => overlaps(box, other))) return false;
-      return !points.some(([x, y]) => isNear(box, x, y, radius));
+      return !grid.isNear(box, radius);
     });
     if (free) boxes.push(around(free, width, height));
     return free ?? null;

@@ -22,8 +22,6 @@ import type { ItemPair, Shared } from './shared';
 const figurePx = { width: 44, height: 48, padding: 2 };
 /** Clusters beyond the largest of so many have no figure. */
 const mostFigures = 10;
-/** Of more discs, figures keep clear of a sample. */
-const mostObstacles = 2000;
 const usualMargins: Box = { left: 46, top: 58, right: 46, bottom: 62 };
 const clear: Box = { left: 2, top: 34, right: 2, bottom: 34 };
 const pillPx = { width: 52, height: 20 };
@@ -167,12 +165,11 @@ export class MapView {
     if (!state) return [];
     const { scene, points, width, height } = state;
     const anchors = clusterAnchors(scene, points, mostFigures);
-    const step = Math.ceil(points.length / mostObstacles);
     const pill = this.pillPlace();
     const places = placeFigures(anchors, {
       room: inside(width, height, clear),
       ...figurePx,
-      points: points.filter((_, k) => k % step === 0),
+      points,
       radius: discRadius(scene.count) + 1,
       taken: pill ? [pill] : [],
     });
