@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { labelNames, labelsOf, labelStyle, steadyLabels, withRename } from './labels';
+import { labelLook, labelNames, labelsOf, labelStyle, steadyLabels, withRename } from './labels';
 import { testClip } from './test-clips';
 
 const clips = [
@@ -76,4 +76,14 @@ test('renamed again, the name of before goes along; two names may become one', (
     'waltz',
     null,
   ]);
+});
+
+test('thousands of labels have a dozen looks', () => {
+  const looks = new Set<number>();
+  for (let index = 0; index < 3000; index++) {
+    expect(labelStyle(labelLook(index))).toEqual(labelStyle(index));
+    looks.add(labelLook(index));
+  }
+  expect(looks.size).toBe(12);
+  expect(labelLook(-1)).toBe(-1);
 });

@@ -73,6 +73,10 @@ export function labelStyle(index: number): LabelStyle {
   };
 }
 
+/** The first of the labels that look as this one does; −1 stays: no label. */
+export const labelLook = (index: number): number =>
+  index < 0 ? index : index % (2 * labelShapes.length);
+
 /** The map before where it says the same as the new one, so that nothing is told of no change. */
 export function steadyLabels(before: Labels, now: Labels): Labels {
   if (before.size !== now.size) return now;

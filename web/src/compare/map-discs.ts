@@ -2,6 +2,7 @@
  * Places on the screen and their labels in; the discs out. Each look is drawn once and stamped pixel by
  * pixel: ten thousand take a few milliseconds.
  */
+import { labelLook } from '../app/labels';
 import type { ComparePalette } from './compare-palette';
 import { contextOf, discRadius, drawMark, type SpotDrawing } from './map-canvas';
 import { labelAt } from './map-spots';
@@ -74,7 +75,7 @@ export class MapDiscs {
     const image = new ImageData(canvas.width, canvas.height);
     const pixels = new Uint32Array(image.data.buffer);
     points.forEach(([x, y], spot) => {
-      const label = labelAt(spots, spot);
+      const label = labelLook(labelAt(spots, spot));
       const mark = this.stamps.get(label) ?? stampOf(palette, label, radius, ratio);
       this.stamps.set(label, mark);
       stamp(pixels, image.width, mark, x * ratio, y * ratio);
