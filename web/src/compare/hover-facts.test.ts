@@ -45,3 +45,27 @@ test('a pair that cannot be explained leaves what was known', async () => {
   await turn();
   expect(facts.known.value).toBeNull();
 });
+
+test('what was asked of a pair that the pointer has left is given up, and asked again if it returns', async () => {
+  const told: string[] = [];
+  const facts = new HoverFacts({
+    explain: (a, b, { signal } = {}) =>
+      new Promise((resolve, reject) => {
+        const timer = setTimeout(() => resolve({ a, b } as Explanation));
+        signal?.addEventListener('abort', () => {
+          told.push(`${a} ${b} given up`);
+          clearTimeout(timer);
+          reject(new DOMException('', 'AbortError'));
+        });
+      }),
+  });
+  facts.ask({ a: 0, b: 1 });
+  facts.ask({ a: 0, b: 1 });
+  expect(told).toEqual([]);
+  facts.ask({ a: 0, b: 2 });
+  facts.ask({ a: 0, b: 1 });
+  await turn();
+  await turn();
+  expect(told).toEqual(['0 1 given up']);
+  expect(facts.known.value).toMatchObject({ a: 0, b: 1 });
+});

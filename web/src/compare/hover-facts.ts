@@ -3,24 +3,31 @@ import { signal } from '@preact/signals-core';
 import type { ClipPair } from '../app/compare-store';
 import type { Comparer, Explanation } from '../engine/comparison-types';
 
+const isSame = (one: ClipPair | null, other: ClipPair): boolean =>
+  one?.a === other.a && one.b === other.b;
+
 export class HoverFacts {
   readonly known = signal<Explanation | null>(null);
-  private asking = false;
+  private asked: ClipPair | null = null;
+  private asking = new AbortController();
   private wanted: ClipPair | null = null;
 
   constructor(private readonly comparer: Pick<Comparer, 'explain'>) {}
 
-  /** A moving pointer asks for many pairs: only the latest waits. */
+  /** A moving pointer asks for many pairs: what was asked of one that it has left is given up. */
   ask(pair: ClipPair): void {
-    const known = this.known.peek();
-    this.wanted = known?.a === pair.a && known.b === pair.b ? null : pair;
-    if (!this.asking) void this.next();
+    this.wanted = null;
+    if (isSame(this.asked, pair) && !this.asking.signal.aborted) return;
+    this.asking.abort();
+    if (isSame(this.known.peek(), pair)) return;
+    this.wanted = pair;
+    if (!this.asked) void this.next();
   }
 
   /** What is known of this pair. */
   value(pair: ClipPair): Explanation | null {
     const known = this.known.value;
-    return known?.a === pair.a && known.b === pair.b ? known : null;
+    return isSame(known, pair) ? known : null;
   }
 
   /** Another comparison knows other distances. */
@@ -29,14 +36,14 @@ export class HoverFacts {
   }
 
   private async next(): Promise<void> {
-    this.asking = true;
     while (this.wanted) {
       const { a, b } = this.wanted;
-      this.wanted = null;
+      [this.asked, this.wanted, this.asking] = [this.wanted, null, new AbortController()];
+      const { signal } = this.asking;
       // A clip that has just been taken out has no distance.
-      const explanation = await this.comparer.explain(a, b).catch(() => null);
+      const explanation = await this.comparer.explain(a, b, { signal }).catch(() => null);
       if (explanation) this.known.value = explanation;
+      this.asked = null;
     }
-    this.asking = false;
   }
 }

@@ -179,6 +179,28 @@ test('files come in parts and are whole', async () => {
   comparer.destroy();
 });
 
+test('what takes long can be cancelled', async () => {
+  const { comparer, workers } = setUp();
+  const places = Array.from({ length: 900 }, (_, index) => Math.sin(index));
+  await withPlaces(comparer, places).compare(ward);
+  const labelled = { clusters: 2, labels: places.map(() => null) };
+  const cancelling = new AbortController();
+  let parts = 0;
+  const onProgress = (): void => {
+    parts += 1;
+    cancelling.abort();
+  };
+  const file = comparer.exportFile('matrix-csv', labelled, {
+    signal: cancelling.signal,
+    onProgress,
+  });
+  await expect(file).rejects.toMatchObject({ name: 'AbortError' });
+  expect(parts).toBeGreaterThan(0);
+  expect((await comparer.explain(0, 1)).distance).toBeGreaterThan(0);
+  expect(workers).toHaveLength(1);
+  comparer.destroy();
+});
+
 test('a file goes on with the comparison with which it began', async () => {
   const { comparer } = setUp();
   await withPlaces(comparer, [0, 1, 5]).compare(average);

@@ -103,31 +103,31 @@ class WorkerComparer implements Comparer {
 
   arrivals(): Promise<MapPlaces> {
     const tellAll = (): Promise<void> => this.inTurn(() => this.tell(this.features));
-    return this.ask((api, job) => api.arrivals(job), tellAll);
+    return this.ask((api, job) => api.arrivals(job), {}, tellAll);
   }
 
   cut(clusters: number): Promise<Cut> {
     return this.ask((api, job) => api.cut(job, clusters));
   }
 
-  picture(region: MatrixRegion): Promise<MatrixPicture> {
-    return this.ask((api, job) => api.picture(job, region));
+  picture(region: MatrixRegion, work?: WorkOptions): Promise<MatrixPicture> {
+    return this.ask((api, job) => api.picture(job, region), work);
   }
 
-  explain(a: ClipId, b: ClipId): Promise<Explanation> {
-    return this.ask((api, job) => api.explain(job, a, b));
+  explain(a: ClipId, b: ClipId, work?: WorkOptions): Promise<Explanation> {
+    return this.ask((api, job) => api.explain(job, a, b), work);
   }
 
   neighbours(clip: ClipId, most: number): Promise<readonly Neighbour[]> {
     return this.ask((api, job) => api.neighbours(job, clip, most));
   }
 
-  evaluate(labelled: LabelledCut): Promise<Evaluation> {
-    return this.ask((api, job) => api.evaluate(job, labelled));
+  evaluate(labelled: LabelledCut, work?: WorkOptions): Promise<Evaluation> {
+    return this.ask((api, job) => api.evaluate(job, labelled), work);
   }
 
-  exportFile(kind: ComparisonExportKind, labelled: LabelledCut): Promise<Blob> {
-    return this.ask((api, job) => api.exportFile(job, kind, labelled));
+  exportFile(kind: ComparisonExportKind, labelled: LabelledCut, work?: WorkOptions): Promise<Blob> {
+    return this.ask((api, job) => api.exportFile(job, kind, labelled), work);
   }
 
   async warp(
@@ -153,12 +153,16 @@ class WorkerComparer implements Comparer {
   }
 
   /** A request about the latest comparison. */
-  private ask<T>(run: Run<T>, prepare = (): Promise<void> => Promise.resolve()): Promise<T> {
+  private ask<T>(
+    run: Run<T>,
+    work: WorkOptions = {},
+    prepare = (): Promise<void> => Promise.resolve(),
+  ): Promise<T> {
     return this.again(async () => {
       const { latest } = this;
       if (latest !== null && this.inWorker === null) await this.comparison(latest, false);
       await prepare();
-      return this.start(run);
+      return this.start(run, work);
     });
   }
 

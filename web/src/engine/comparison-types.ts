@@ -223,13 +223,17 @@ export interface Comparer {
   /** The clips told since, each with its place on the map, on which nothing moves for them. */
   arrivals(): Promise<MapPlaces>;
   cut(clusters: number): Promise<Cut>;
-  picture(region: MatrixRegion): Promise<MatrixPicture>;
-  explain(a: ClipId, b: ClipId): Promise<Explanation>;
+  picture(region: MatrixRegion, work?: WorkOptions): Promise<MatrixPicture>;
+  explain(a: ClipId, b: ClipId, work?: WorkOptions): Promise<Explanation>;
   /** The nearest first; of equals the earlier. */
   neighbours(clip: ClipId, most: number): Promise<readonly Neighbour[]>;
-  evaluate(labelled: LabelledCut): Promise<Evaluation>;
+  evaluate(labelled: LabelledCut, work?: WorkOptions): Promise<Evaluation>;
   /** Warps clip b onto clip a; both are read again if need be. */
   warp(a: ClipId, b: ClipId, settings: WarpSettings, work?: WorkOptions): Promise<Warping>;
-  exportFile(kind: ComparisonExportKind, labelled: LabelledCut): Promise<Blob>;
+  exportFile(
+    kind: ComparisonExportKind,
+    labelled: LabelledCut,
+    work?: WorkOptions,
+  ): Promise<Blob>;
   destroy(): void;
 }
