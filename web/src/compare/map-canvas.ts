@@ -59,7 +59,9 @@ export function clusterAnchors(
 }
 
 export function hullPathOf(corners: readonly Point[]): string {
-  const [first, ...others] = corners.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`);
+  // Clips that are alike lie on each other: a line to the same place would not be drawn.
+  const places = new Set(corners.map(([x, y]) => `${x.toFixed(1)} ${y.toFixed(1)}`));
+  const [first, ...others] = places;
   return others.length > 0 ? `M${first}L${others.join('L')}z` : `M${first}h.01`;
 }
 
