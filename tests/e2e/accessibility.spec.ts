@@ -85,6 +85,9 @@ for (const colorScheme of ['light', 'dark'] as const)
         await page.locator('.page-tab').nth(2).click();
         await page.locator('.pair-card').first().waitFor();
         expect(await faults(page)).toEqual([]);
+        await page.locator('#film-button').click();
+        await page.locator('.film-facts').waitFor();
+        expect(await faults(page)).toEqual([]);
       });
 
       test('drawers break no rule', async ({ page }) => {

@@ -58,7 +58,6 @@ export class FilmCanvas {
     context.fillRect(0, 0, shape.width, shape.height);
   }
 
-  /** To be called as soon as the stage has been drawn. */
   drawPane(index: number, picture: CanvasImageSource, marks: readonly FilmMark[]): void {
     const { context } = this.pen;
     const { ratio, panes } = this.sheet;

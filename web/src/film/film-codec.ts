@@ -13,7 +13,7 @@ export interface FilmCodec {
 }
 
 /** Of 0 to 63, the coarsest: letters stay crisp, grounds without bands. */
-const QUANTIZER = 24;
+const QUANTIZER = 30;
 
 /** Smooth grounds and thin lines: less shows bands around the figures. */
 const BITS_PER_PIXEL = 0.15;

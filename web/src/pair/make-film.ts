@@ -7,7 +7,7 @@ import type { FilmShape } from '../film/film-shape';
 import { filmSheet } from '../film/film-sheet';
 import { filmTimes } from '../film/film-times';
 import { recordFilm } from '../film/record-film';
-import { createStageFilm, type StageFilm } from '../stage/stage-film';
+import { createStageFilm, type FilmMoment, type StageFilm } from '../stage/stage-film';
 import { FilmFailure } from './film-failure';
 import { FilmMoments } from './film-moments';
 import { FilmPoses } from './film-poses';
@@ -34,13 +34,13 @@ export async function makeFilm(
   const tokens = document.documentElement;
   const stage = createStageFilm(tokens, wish.theme, size, moments.panes);
   if (!stage) throw new FilmFailure('no-graphics');
-  const canvas = new FilmCanvas(shape, sheet, filmPalette(tokens), wish.words.language);
   try {
+    const canvas = new FilmCanvas(shape, sheet, filmPalette(tokens), wish.words.language);
     await stage.compiled();
     const { count, momentS } = filmTimes(wish.stretch, shape.rate_hz);
     const draw = async (picture: number): Promise<HTMLCanvasElement> => {
       const all = await moments.at(momentS(picture), picture / shape.rate_hz);
-      all.forEach((moment, pane) => drawPane(stage, canvas, pane, moment));
+      for (const [pane, moment] of all.entries()) await drawPane(stage, canvas, pane, moment);
       canvas.drawCaptions(moments.captions());
       return canvas.canvas;
     };
@@ -51,13 +51,13 @@ export async function makeFilm(
   }
 }
 
-function drawPane(
+async function drawPane(
   stage: StageFilm,
   canvas: FilmCanvas,
   pane: number,
-  moment: Parameters<StageFilm['draw']>[1],
-): void {
-  const picture = stage.draw(pane, moment);
+  moment: FilmMoment,
+): Promise<void> {
+  const picture = await stage.draw(pane, moment);
   if (!picture) throw new FilmFailure('no-graphics');
   canvas.drawPane(pane, picture, stage.tags(pane));
 }

@@ -57,9 +57,17 @@ export function createStageFilm(
   panes: readonly FilmPane[],
 ): StageFilm | null {
   const canvas = document.createElement('canvas');
-  const context = canvas.getContext('webgl2', { antialias: true, alpha: false, stencil: true });
+  const context = canvas.getContext('webgl2', {
+    antialias: true,
+    alpha: false,
+    stencil: true,
+    // A picture is taken when it is done, a few tasks after it was asked for.
+    preserveDrawingBuffer: true,
+  });
   if (context === null) return null;
   const renderer = new WebGLRenderer({ canvas, context });
+  // The page's stages have tried these shaders; to ask again takes as long as they take to compile.
+  renderer.debug.checkShaderErrors = false;
   const palette = readPalette(element, theme);
   const moreContrast = matchMedia('(prefers-contrast: more)').matches;
   const scenes = panes.map((pane): Pane => {
@@ -71,12 +79,13 @@ export function createStageFilm(
     scene.setChosen(pane.chosen);
     return { ...pane, scene, camera: null, moment: null };
   });
-  return new StageFilm(renderer, size, scenes);
+  return new StageFilm(renderer, context, size, scenes);
 }
 
 export class StageFilm {
   constructor(
     private readonly renderer: WebGLRenderer,
+    private readonly context: WebGL2RenderingContext,
     private readonly size: FilmSize,
     private readonly panes: readonly Pane[],
   ) {
@@ -90,19 +99,20 @@ export class StageFilm {
   }
 
   /** Draws a pane's next picture, whose poses must be there; null where they are not or the graphics have gone. */
-  draw(index: number, moment: FilmMoment): HTMLCanvasElement | null {
+  async draw(index: number, moment: FilmMoment): Promise<HTMLCanvasElement | null> {
     const pane = this.panes[index];
     const { scene } = pane;
     if (moment.ghosts !== pane.moment?.ghosts) scene.setGhosts(moment.ghosts);
     if (moment.trails !== pane.moment?.trails) scene.setTrails(moment.trails);
-    if (!scene.showFrame(moment.frames) || this.renderer.getContext().isContextLost()) return null;
+    if (!scene.showFrame(moment.frames) || this.context.isContextLost()) return null;
     pane.moment = moment;
     pane.camera ??= this.cameraOf(pane);
     pane.camera.step(this.framed(pane), moment.dtS);
     scene.setGridCentre(pane.camera.targetX, pane.camera.targetZ);
     scene.setEye(pane.camera.camera.position);
     this.renderer.render(scene.scene, pane.camera.camera);
-    return this.renderer.domElement;
+    await allDrawn(this.context);
+    return this.context.isContextLost() ? null : this.renderer.domElement;
   }
 
   /** Of the picture drawn last, in CSS pixels. */
@@ -142,4 +152,22 @@ export class StageFilm {
     };
     return new FilmCamera(pane.stance ?? plain(), pane.follow, this.aspect);
   }
+}
+
+const LOOK_AGAIN_MS = 2;
+
+/**
+ * Until the graphics have drawn what they were asked for: who took the picture before would stand still for as
+ * long. A hidden page has nobody who waits, and its timers are slow.
+ */
+async function allDrawn(context: WebGL2RenderingContext): Promise<void> {
+  const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  context.flush();
+  const isDrawn = (): boolean =>
+    fence === null ||
+    document.hidden ||
+    context.isContextLost() ||
+    context.getSyncParameter(fence, context.SYNC_STATUS) === context.SIGNALED;
+  while (!isDrawn()) await new Promise((resolve) => setTimeout(resolve, LOOK_AGAIN_MS));
+  context.deleteSync(fence);
 }
