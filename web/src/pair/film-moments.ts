@@ -58,7 +58,7 @@ export class FilmMoments {
     const current = nearestIndex(clip.keyposes, this.frames[place]);
     let around = this.around[index];
     if (around?.current !== current || around === null) {
-      around = await this.poses.around(clip, current, this.wish);
+      around = await this.poses.around(clip, current, this.wish, scene.places.length);
       this.around[index] = around;
     }
     return {

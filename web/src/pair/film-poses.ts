@@ -53,12 +53,14 @@ export class FilmPoses {
     await Promise.race([arrived, this.failed]);
   }
 
+  /** `together`: clips on the stage. */
   async around(
     clip: PairClip,
     current: number | null,
     wish: { readonly keyposes: boolean; readonly trails: boolean },
+    together: number,
   ): Promise<Surroundings> {
-    const moments = wish.keyposes ? keyposesAround(clip.keyposes, current) : [];
+    const moments = wish.keyposes ? keyposesAround(clip.keyposes, current, together) : [];
     const frames = wish.trails ? framesOfTrails(clip, current) : null;
     const [poses, trails] = await Promise.all([
       this.poses(
