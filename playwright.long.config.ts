@@ -8,6 +8,7 @@ export default defineConfig({
   outputDir: 'test-results',
   workers: 1,
   timeout: 600_000,
+  expect: { timeout: 60_000 },
   reporter: [['list']],
   use: { launchOptions: { executablePath: findChromium(), args: chromiumArguments } },
 });
