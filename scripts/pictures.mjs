@@ -25,6 +25,17 @@ function takePictures(colorScheme) {
   });
 }
 
+/** Two clips by their names; then the pointer stands over their cell, which shows its tip. */
+async function choosePair(page, a, b) {
+  const name = (of) => page.getByRole('option', { name: new RegExp(`^${of},`) });
+  await name(a).click();
+  await name(b).click({ modifiers: ['Shift'] });
+  await page.locator('.distance-sentence').waitFor();
+  const ring = await page.locator('.matrix-ring.selected:not([hidden])').boundingBox();
+  await page.mouse.move(ring.x + ring.width / 2, ring.y + ring.height / 2);
+  await page.locator('.tip-distance').waitFor();
+}
+
 /** All samples compared, labelled by their motion; then two of them side by side. */
 function takeComparison(colorScheme, files) {
   const context = { viewport: { width: 1440, height: 900 }, colorScheme, locale: 'en-GB' };
@@ -39,9 +50,7 @@ function takeComparison(colorScheme, files) {
     await page.getByRole('menuitemradio', { name: /file name/ }).click();
     await page.getByRole('dialog').getByRole('textbox').fill('{label}-*');
     await page.keyboard.press('Enter');
-    // A cell in the middle of the matrix: its picture is one, without elements.
-    await page.mouse.click(880, 560);
-    await page.mouse.move(0, 0);
+    await choosePair(page, 'slow-dance-hik-60', 'tired-dance-hik-60');
     await page.waitForTimeout(settleMs);
     await page.screenshot({ path: `${folder}/compare-${colorScheme}.png` });
     await page.locator('.page-tab').nth(2).click();

@@ -42,6 +42,9 @@ function ordinalEnding(language: string, value: number): string {
 const superscript = (value: number): string =>
   [...String(value)].map((sign) => superscripts[sign] ?? sign).join('');
 
+/** 10⁻⁷ */
+export const powerOfTen = (exponent: number): string => `10${superscript(exponent)}`;
+
 const smallestExponent = -300;
 
 function clockText(seconds: number): string {
@@ -92,7 +95,6 @@ export function createFormat(language: string): Format {
         maximumFractionDigits: value < 100 ? 1 : 0,
       });
     },
-    probability: (p) =>
-      p >= 0.001 ? `= ${decimal(p, 3)}` : `< 10${superscript(exponentAbove(p))}`,
+    probability: (p) => (p >= 0.001 ? `= ${decimal(p, 3)}` : `< ${powerOfTen(exponentAbove(p))}`),
   };
 }

@@ -12,7 +12,8 @@ describe('a distance', () => {
     [0.0009994, '0.00100'],
     [0.00047, '0.00047'],
     [0.000031, '0.000031'],
-    [0.0000000312, '0.000000031'],
+    [0.0000000312, '3.1×10⁻⁸'],
+    [0.00000997, '1.0×10⁻⁵'],
   ])('of %f is written as %s', (distance, text) => {
     expect(distanceNumber(format, distance)).toBe(text);
   });
