@@ -17,14 +17,25 @@ pub use postures::mirror_postures;
 
 use crate::feature::{PART_OF_JOINT, PARTS};
 use band::Band;
+use core::ops::Range;
 use postures::{Blocks, LANES, Posture, joint_distances, split};
 use steps::{Step, Steps};
 
 /// The most pairs of frames (inside the band) that are compared: 67 MB of steps.
 pub const MOST_CELLS: usize = 1 << 28;
 
-/// Rows whose local distances are made at once, so that a frame is fetched once for all of them.
+/// Rows whose local distances are made at once, so that a frame is fetched once for all of them, …
 const STRIP: usize = 8;
+
+/// … unless they hold more pairs of frames than this.
+const MOST_CELLS_OF_A_STRIP: usize = 1 << 17;
+
+/// Pairs of frames that are compared four at a time, in the time in which the parts of one pair are
+/// measured.
+const CELLS_OF_A_PAIR: usize = 16;
+
+/// The part of the work that is done when the last row is, about.
+const ROWS: f64 = 0.95;
 
 /// The quantile of the parts' distances that is drawn in full colour.
 const FULL_COLOUR: f64 = 0.985;
@@ -73,6 +84,10 @@ pub struct Warping {
     present: Vec<f64>,
     /// Local distances of a strip, row by row.
     strip: Vec<f64>,
+    /// The frames of both clips along the path, from its end.
+    path: Vec<(usize, usize)>,
+    /// What is measured along it, from its end.
+    part_distances: Vec<[f64; PARTS]>,
 }
 
 impl Warping {
@@ -100,6 +115,8 @@ impl Warping {
             before,
             steps: Steps::new(&band),
             strip: Vec::new(),
+            path: Vec::new(),
+            part_distances: Vec::new(),
             row: 0,
             a,
             b,
@@ -111,49 +128,63 @@ impl Warping {
     /// left.
     pub fn step(&mut self, cells: usize) -> f64 {
         let mut done = 0;
-        while self.row < self.a.len() && done < cells {
+        while self.row < self.a.len() {
+            if done >= cells {
+                return ROWS * self.row as f64 / self.a.len() as f64;
+            }
             done += self.strip();
         }
-        self.row as f64 / self.a.len() as f64
+        let left = cells.saturating_sub(done);
+        let along = self.walk(left) + self.measure(left);
+        // A path is that long at most.
+        let longest = self.a.len() + self.b.frames;
+        match self.part_distances.len() == self.path.len() && self.path.last() == Some(&(0, 0)) {
+            true => 1.0,
+            false => ROWS + (1.0 - ROWS) * along as f64 / (2 * longest) as f64,
+        }
     }
 
     /// The path and what is told along it; does what is left to do.
     pub fn finish(mut self) -> Warped {
         while self.step(usize::MAX) < 1.0 {}
-        let weight = self.a.len() + self.b.frames;
-        let (path_a, path_b) = self.path();
-        let path = || path_a.iter().copied().zip(path_b.iter().copied());
+        self.path.reverse();
+        self.part_distances.reverse();
+        let (rows, columns) = (self.a.len(), self.b.frames);
         let at = |frame: usize, frames: usize| frame as f64 / (frames - 1).max(1) as f64;
-        let ahead = path().map(|(a, b)| at(b, self.b.frames) - at(a, self.a.len()));
-        let parts = path().map(|(a, b)| part_distances(&self.a[a], &self.b.posture(b)));
-        let part_distances: Vec<[f64; PARTS]> = parts.collect();
+        let path = self.path.iter();
         Warped {
             // The last row is the one before the next.
-            distance: self.before[self.b.frames] / weight as f64,
-            ahead: ahead.collect(),
-            full_colour: quantile(part_distances.as_flattened().to_vec(), FULL_COLOUR),
-            part_distances,
-            path_a,
-            path_b,
+            distance: self.before[columns] / (rows + columns) as f64,
+            ahead: path.map(|(a, b)| at(*b, columns) - at(*a, rows)).collect(),
+            full_colour: quantile(self.part_distances.as_flattened().to_vec(), FULL_COLOUR),
+            part_distances: self.part_distances,
+            path_a: self.path.iter().map(|(a, _)| *a).collect(),
+            path_b: self.path.iter().map(|(_, b)| *b).collect(),
         }
     }
 
     /// Does a strip of rows; returns how many pairs of frames that were.
     fn strip(&mut self) -> usize {
-        let rows = self.row..self.a.len().min(self.row + STRIP);
-        // The band only ever moves on.
-        let first = self.band.row(rows.start).start / LANES;
-        let last = self.band.row(rows.end - 1).end.div_ceil(LANES);
-        let width = (last - first) * LANES;
+        let width = |rows: &Range<usize>| {
+            // The band only ever moves on.
+            let first = self.band.row(rows.start).start / LANES;
+            let last = self.band.row(rows.end - 1).end.div_ceil(LANES);
+            first..last
+        };
+        let one = self.row..self.row + 1;
+        let height = MOST_CELLS_OF_A_STRIP / (LANES * width(&one).len());
+        let rows = self.row..self.a.len().min(self.row + height.clamp(1, STRIP));
+        let blocks = width(&rows);
+        let width = blocks.len() * LANES;
         let mut strip = core::mem::take(&mut self.strip);
-        strip.resize(STRIP * width, 0.0);
-        let postures = &self.a[rows.clone()];
-        self.b.distances(postures, first..last, &mut strip);
+        strip.resize(rows.len() * width, 0.0);
+        self.b
+            .distances(&self.a[rows.clone()], blocks.clone(), &mut strip);
         for (row, distances) in rows.zip(strip.chunks_exact(width)) {
-            self.accumulate(row, distances, first * LANES);
+            self.accumulate(row, distances, blocks.start * LANES);
         }
         self.strip = strip;
-        STRIP * width
+        self.strip.len()
     }
 
     /// One row of g, from the local distances of the columns from `first` on.
@@ -186,11 +217,20 @@ impl Warping {
         self.row = row + 1;
     }
 
-    /// The frames of both clips along the path.
-    fn path(&self) -> (Vec<usize>, Vec<usize>) {
-        let (mut a, mut b) = (self.a.len() - 1, self.b.frames - 1);
-        let (mut path_a, mut path_b) = (vec![a], vec![b]);
-        while a > 0 || b > 0 {
+    /// Follows the path back by so many steps, at least one; how many there are then.
+    fn walk(&mut self, steps: usize) -> usize {
+        let end = (self.a.len() - 1, self.b.frames - 1);
+        let (mut a, mut b) = match self.path.last() {
+            Some(last) => *last,
+            None => {
+                self.path.push(end);
+                end
+            }
+        };
+        for _ in 0..steps.max(1) {
+            if (a, b) == (0, 0) {
+                break;
+            }
             let step = match (a, b) {
                 (0, _) => Step::B,
                 (_, 0) => Step::A,
@@ -198,12 +238,20 @@ impl Warping {
             };
             a -= usize::from(step != Step::B);
             b -= usize::from(step != Step::A);
-            path_a.push(a);
-            path_b.push(b);
+            self.path.push((a, b));
         }
-        path_a.reverse();
-        path_b.reverse();
-        (path_a, path_b)
+        self.path.len()
+    }
+
+    /// Measures about so many pairs of frames of the path; how many are measured then.
+    fn measure(&mut self, cells: usize) -> usize {
+        let measured = self.part_distances.len();
+        let count = (cells / CELLS_OF_A_PAIR).max(1);
+        for (a, b) in self.path.iter().skip(measured).take(count) {
+            let distances = part_distances(&self.a[*a], &self.b.posture(*b));
+            self.part_distances.push(distances);
+        }
+        self.part_distances.len()
     }
 }
 

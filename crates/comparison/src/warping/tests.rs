@@ -94,6 +94,8 @@ fn distance_and_path_are_those_of_the_plain_table() {
         (33, 20),
         (17, 70),
         (64, 65),
+        // So wide that fewer rows are made at once.
+        (10, 40_000),
     ];
     for (place, (n, m)) in sizes.into_iter().enumerate() {
         let (a, b) = (wandering(n, place as u64), wandering(m, 50 + place as u64));
