@@ -52,10 +52,14 @@ export class Arriving {
 
   /** Those of before stay too: what shows the comparison may still show an older one. */
   private accept({ clips, places }: MapPlaces): void {
-    const { arrivals, comparison } = this.parts.store.compare;
+    const { compare, clips: all } = this.parts.store;
+    const { arrivals, comparison } = compare;
     if (clips.length === 0 || comparison.peek() === null) return;
     const placed = new Map<ClipId, MapPlace>(arrivals.peek());
-    clips.forEach((clip, k) => placed.set(clip, [places[2 * k], places[2 * k + 1]]));
+    clips.forEach((clip, k) => {
+      // It may have been taken out since.
+      if (all.peek()[clip]?.removed === false) placed.set(clip, [places[2 * k], places[2 * k + 1]]);
+    });
     arrivals.value = placed;
   }
 }

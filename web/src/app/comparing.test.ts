@@ -132,6 +132,39 @@ test('what comes between two comparisons is on the map within 100 ms', async () 
   expect(arrivals.value.size).toBe(0);
 });
 
+test('a clip that is taken out while its place is asked for does not arrive', async () => {
+  const { store, comparer } = setUp(40);
+  let answer = (): void => undefined;
+  const found = { clips: Int32Array.of(30, 31), places: Float64Array.of(1, 2, 3, 4) };
+  comparer.arrivals = () => new Promise((resolve) => (answer = () => resolve(found)));
+  store.reading.value = true;
+  for (let id = 0; id < 30; id += 1) know(store, id);
+  await vi.advanceTimersByTimeAsync(1000);
+  know(store, 30);
+  know(store, 31);
+  await vi.advanceTimersByTimeAsync(50);
+  patchClip(store, 30, { removed: true });
+  answer();
+  await vi.advanceTimersByTimeAsync(0);
+  expect([...store.compare.arrivals.value.keys()]).toEqual([31]);
+});
+
+test('labels of clips that only come are not evaluated', async () => {
+  const { store, comparer } = setUp(40);
+  const evaluate = vi.spyOn(comparer, 'evaluate');
+  store.reading.value = true;
+  store.compare.labelRule.value = { kind: 'pattern', pattern: '{label}_*' };
+  for (let id = 0; id < 30; id += 1) know(store, id);
+  await vi.advanceTimersByTimeAsync(1000);
+  expect(evaluate).toHaveBeenCalledTimes(1);
+  addClips(store, [{ name: 'c_new.bvh', folder: '', blob: new Blob(['x']) }]);
+  await vi.advanceTimersByTimeAsync(100);
+  expect(evaluate).toHaveBeenCalledTimes(1);
+  store.compare.handLabels.value = new Map([[3, 'c']]);
+  await vi.advanceTimersByTimeAsync(100);
+  expect(evaluate).toHaveBeenCalledTimes(2);
+});
+
 test('while files are read clips keep their places; the end lays all out', async () => {
   const { store, compared } = setUp(40, 20);
   store.reading.value = true;
