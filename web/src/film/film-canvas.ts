@@ -88,9 +88,17 @@ export class FilmCanvas {
       ghost: { ground: palette.raised, colour: palette.text2, weight: 400 },
       letter: { ground: palette.tints[tintOf(tint)], colour: palette.panel, weight: 700 },
     }[kind];
-    pen.context.globalAlpha = kind === 'ghost' ? 0.82 : 1;
-    pen.box(x - width / 2, y - MARK_HEIGHT / 2, width, MARK_HEIGHT, MARK_HEIGHT / 2, look.ground);
-    pen.context.globalAlpha = 1;
+    const disc = (by: number, colour: string): void =>
+      pen.box(
+        x - width / 2 - by,
+        y - MARK_HEIGHT / 2 - by,
+        width + 2 * by,
+        MARK_HEIGHT + 2 * by,
+        MARK_HEIGHT / 2 + by,
+        colour,
+      );
+    if (kind === 'ghost') disc(1, palette.line2);
+    disc(0, look.ground);
     pen.centred({ text, size: 11, ...look }, x, y + 4);
   }
 
