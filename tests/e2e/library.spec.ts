@@ -1,5 +1,5 @@
 /** The rows of the library: order, filter, and the keys that walk through them. */
-import { sampleFiles } from './support/motions';
+import { sampleBytes, sampleFiles, temporaryFolder, writeFiles } from './support/motions';
 import { expect, test } from './support/test';
 
 test('sort by every measure, filter, and walk', async ({ app, page }) => {
@@ -43,4 +43,21 @@ test('sort by every measure, filter, and walk', async ({ app, page }) => {
   await expect(app.openName).toHaveText(dance);
   await app.button('Clear the filter').click();
   await app.expectNames(poser, dance, hik);
+});
+
+test('what a filter finds is shown from its beginning', async ({ app, page }) => {
+  const walk = sampleBytes('walk-hik-30');
+  const names = ['open.bvh', ...Array.from({ length: 50 }, (_, n) => `walk${n}.bvh`)];
+  const folder = temporaryFolder();
+  writeFiles(folder, Object.fromEntries(names.map((name) => [name, walk])));
+  await app.openWith(folder);
+  await app.field('Filter by name or label').fill('open');
+  await app.row('open.bvh').locator('.clip-open').click();
+  await app.button('Clear the filter').click();
+  const list = page.locator('.library-list');
+  await list.evaluate((scroll) => scroll.scrollTo(0, 1200));
+  await expect(app.row('walk30.bvh')).toBeVisible();
+  await app.field('Filter by name or label').fill('walk');
+  await expect(page.locator('.library-count')).toHaveText('50 of 51');
+  await expect.poll(() => list.evaluate(({ scrollTop }) => scrollTop)).toBe(0);
 });
