@@ -71,6 +71,13 @@ export async function measureStage(address, path, counts) {
   return value.map(({ frameMs, ...drawn }) => ({ ...drawn, frame: spread(frameMs) }));
 }
 
+/** The JavaScript of one frame of the page Pair, in ms, with all these clips on its stage, and its draw calls. */
+export async function measurePair(address, paths) {
+  const { value } = await inFreshPage(address, paths, 'pairFrames', names(paths));
+  const { frameMs, ...drawn } = value;
+  return { ...drawn, frame: spread(frameMs) };
+}
+
 /** So many vectors compared in the page: until all is known, until the matrix is drawn, and frames, in ms. */
 export async function measureManyClips(address, count) {
   const { value } = await inFreshPage(address, [], 'manyClips', count);

@@ -100,7 +100,7 @@ function cancelLine({ idleMs, clips, heldBytes, leftBytes }) {
   return `cancelled half-way: idle after ${milliseconds(idleMs)} ms, clips left: ${clips}${memory}.`;
 }
 
-function stageTable(stage) {
+function stageTable({ figures, pair }) {
   const header = [
     'stage, one frame',
     'JavaScript, ms',
@@ -108,14 +108,15 @@ function stageTable(stage) {
     'triangles',
     'uniform vectors',
   ];
-  const rows = stage.map((one) => [
+  const rows = figures.map((one) => [
     one.figures === 1 ? '1 figure' : `${one.figures} figures`,
     told(one.frame),
     one.drawCalls,
     one.triangles,
     one.uniformVectors,
   ]);
-  return table(header, rows);
+  const together = [`page Pair, ${pair.clips} clips`, told(pair.frame), pair.drawCalls, '', ''];
+  return table(header, [...rows, together]);
 }
 
 function folderTable(folder) {

@@ -17,6 +17,7 @@ import {
   measureLongestSteps,
   measureManyClips,
   measureOpening,
+  measurePair,
   measureReading,
   measureStage,
 } from '../bench/measure.mjs';
@@ -42,6 +43,8 @@ const results = join(root, 'bench', 'results');
 /** Drops of the 3 MB file after the first, figures on the stage, clips of the folder. */
 const DROPS = 10;
 const FIGURES = [1, 20];
+/** Clips on the stage of the page Pair. */
+const TOGETHER = 20;
 const CLIPS = 1_000;
 
 /** Workers of the page, threads of the command. */
@@ -80,7 +83,10 @@ function measurements({ sets, long, samples }, native, page, app) {
       long: await inOrder(hour, (path) => measureLongDrop(app, path)),
       cancel: await inOrder(hour, (path) => measureCancel(app, path, brief)),
     }),
-    stage: () => measureStage(page, brief, FIGURES),
+    stage: async () => ({
+      figures: await measureStage(page, brief, FIGURES),
+      pair: await measurePair(page, samples.slice(0, TOGETHER)),
+    }),
     folder: () => measureFolder(join(results, 'files', 'folder'), samples, CLIPS, 3),
     compare: () => measureComparing(page, app),
   };

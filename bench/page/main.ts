@@ -6,6 +6,7 @@ import { bytesOf } from './files';
 import { type LongestSteps, longestSteps } from './longest-steps';
 import { type ManyClips, manyClips } from './many-clips';
 import { type Opened, open } from './opening';
+import { type PairFrames, pairFrames } from './pair';
 import { poseAll, readByKeypose, readByThree } from './readers';
 import { type StageFrames, drawFrames } from './stage';
 import { readOnceByThree } from './three-once';
@@ -72,9 +73,9 @@ async function extraction(name: string, runs: number): Promise<Extracted[]> {
   return found;
 }
 
-export type { BitsFound, Extracted, LongestSteps, ManyClips, Opened, StageFrames };
+export type { BitsFound, Extracted, LongestSteps, ManyClips, Opened, PairFrames, StageFrames };
 
-const bench = { read, bits, extraction, open, drawFrames, longestSteps, manyClips };
+const bench = { read, bits, extraction, open, drawFrames, longestSteps, manyClips, pairFrames };
 
 declare global {
   interface Window {

@@ -9,6 +9,7 @@ import { usualSettings } from '../../web/src/app/compare-store';
 import { mountCompare } from '../../web/src/compare/mount-compare';
 import { createContext } from '../../web/src/shell/create-context';
 import { heapedFeatures } from './heaps';
+import { watchFrames } from './watch-frames';
 
 export interface ManyClips {
   readonly clips: number;
@@ -23,23 +24,6 @@ export interface ManyClips {
 }
 
 const FRAMES = 120;
-
-/** Milliseconds that callbacks of frames have taken since it was last asked. */
-function watchFrames(): () => number {
-  let spent_ms = 0;
-  const request = window.requestAnimationFrame.bind(window);
-  window.requestAnimationFrame = (callback) =>
-    request((time) => {
-      const start = performance.now();
-      callback(time);
-      spent_ms += performance.now() - start;
-    });
-  return () => {
-    const told = spent_ms;
-    spent_ms = 0;
-    return told;
-  };
-}
 
 const frame = (): Promise<unknown> =>
   new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));

@@ -3,6 +3,7 @@ import type { PoseSource } from '../../web/src/engine/pose-source';
 import { createBrowserEngine } from '../../web/src/engine/browser-engine';
 import { Stage, type StagePerformer, type StageProps } from '../../web/src/stage';
 import { fileNamed } from './files';
+import { drawNothing } from './watch-frames';
 
 export interface StageFrames {
   readonly figures: number;
@@ -15,13 +16,6 @@ export interface StageFrames {
 /** Frames drawn before the clock counts, and with it. */
 const WARM_UP = 60;
 const FRAMES = 300;
-
-/** Draw calls do nothing: without a GPU they would measure the software rasteriser. */
-function drawNothing(): void {
-  const context = WebGL2RenderingContext.prototype;
-  context.drawArrays = context.drawElements = () => undefined;
-  context.drawArraysInstanced = context.drawElementsInstanced = () => undefined;
-}
 
 function sourceOf(poses: Float32Array, jointCount: number, frames: number): PoseSource {
   const width = 3 * jointCount;

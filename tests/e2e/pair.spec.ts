@@ -1,21 +1,11 @@
 /** The pair page: two clips and more on one clock, by start, by keypose, along a path; with keys alone. */
-import type { Locator, Page } from '@playwright/test';
-import type { AppPage } from './support/app-page';
-import { watchDrawing } from './support/drawn';
+import type { Page } from '@playwright/test';
 import { sampleFiles, sampleText, temporaryFolder, writeFiles } from './support/motions';
+import { clipButton, openPair, showPage } from './support/pair-page';
 import { expect, test } from './support/test';
 
 const walk = 'walk-hik-30';
 const run = 'run-hik-30';
-
-async function openPair(app: AppPage, ...paths: string[]): Promise<void> {
-  await app.openWith(...paths);
-  await showPage(app.page, 'Pair');
-}
-
-async function showPage(page: Page, name: string): Promise<void> {
-  await page.locator('.page-tab', { hasText: name }).click();
-}
 
 /** The times of A and B by the transport, in seconds. */
 async function times(page: Page): Promise<number[]> {
@@ -25,9 +15,6 @@ async function times(page: Page): Promise<number[]> {
 
 const expectTimes = (page: Page, a: number, b: number) =>
   expect.poll(() => times(page)).toEqual([a, b]);
-
-const clipButton = (page: Page, which: 'a' | 'b' | 'more'): Locator =>
-  page.locator(`[popovertarget="pair-clip-${which}"]`);
 
 /** The time of a card of A's or B's strip. */
 async function cardTime(page: Page, clip: 0 | 1, keypose: number): Promise<number> {
@@ -237,109 +224,4 @@ test('one clip alone asks for another', async ({ app, page }) => {
   await expect(page.locator('.pair-rows')).toBeHidden();
   await app.drop(...sampleFiles(run));
   await expect(page.locator('.pair-rows')).toBeVisible();
-});
-
-/** What is cut off or lies over something else, of the controls of the page. */
-function crowded(page: Page): Promise<string[]> {
-  return page.evaluate(() => {
-    const found: string[] = [];
-    const nameOf = (node: Element): string => `${node.className}: ${node.textContent?.trim()}`;
-    const shown = (selector: string): Element[] =>
-      [...document.querySelectorAll(selector)].filter((node) => node.getClientRects().length > 0);
-    for (const row of ['.pair-choice', '.pair-bar', '.pair-transport']) {
-      const parts = shown(`${row} > :not(.rule, [popover], .pair-bar-gap)`);
-      const boxes = parts.map((node) => node.getBoundingClientRect());
-      boxes.forEach((a, i) => {
-        if (a.left < 0 || a.right > innerWidth) found.push(`outside ${nameOf(parts[i])}`);
-        boxes.slice(i + 1).forEach((b, j) => {
-          const apart =
-            a.right <= b.left + 0.5 ||
-            b.right <= a.left + 0.5 ||
-            a.bottom <= b.top + 0.5 ||
-            b.bottom <= a.top + 0.5;
-          if (!apart) found.push(`over ${nameOf(parts[i])} ${nameOf(parts[i + j + 1])}`);
-        });
-      });
-      for (const node of shown(`${row} :is(button, .pair-clip-name, .segments)`))
-        if (node.scrollWidth > node.clientWidth) found.push(`cut ${nameOf(node)}`);
-    }
-    return found;
-  });
-}
-
-for (const locale of ['en-GB', 'ja-JP']) {
-  test.describe(`in ${locale}`, () => {
-    test.use({ locale });
-    for (const [width, height] of [
-      [1440, 900],
-      [1024, 768],
-      [768, 1024],
-      [390, 844],
-    ] as const)
-      test(`nothing is cut or covered at a width of ${width}`, async ({ app, page }) => {
-        await page.setViewportSize({ width, height });
-        const text = sampleText(walk);
-        const files = writeFiles(temporaryFolder(), { '07_11.bvh': text, '07_04.bvh': text });
-        await app.open('?stage=off');
-        await app.drop(...files);
-        await app.settled();
-        await page.locator('.page-tab').nth(2).click();
-        await expect(page.locator('.pair-ahead')).toHaveCount(2);
-        expect(await crowded(page)).toEqual([]);
-      });
-  });
-}
-
-test.describe('drawn', () => {
-  // Drawn by software: a small stage, and time.
-  test.use({ viewport: { width: 1040, height: 640 }, deviceScaleFactor: 1 });
-  test.setTimeout(120_000);
-
-  test('numbers on the ground stay clear of the words', async ({ app, page }) => {
-    await app.open('');
-    await app.drop(...sampleFiles(walk, run));
-    await app.settled();
-    await showPage(page, 'Pair');
-    const stage = page.locator('.pair-stage').first();
-    const caption = stage.locator('.stage-caption');
-    await expect(caption).toBeVisible();
-    const tag = stage.locator('.stage-tag.current');
-    await expect(tag).toBeVisible();
-    const bottom = async () => {
-      const box = await tag.boundingBox();
-      return (box?.y ?? 0) + (box?.height ?? 0);
-    };
-    await expect.poll(bottom).toBeLessThanOrEqual((await caption.boundingBox())!.y);
-  });
-
-  test('twenty clips of other rates stand on one stage within thirty draw calls', async ({
-    app,
-    page,
-  }) => {
-    const drawn = await watchDrawing(page);
-    const text = sampleText(walk);
-    const names = Array.from({ length: 20 }, (_, i) => `clip-${String(i).padStart(2, '0')}.bvh`);
-    const slower = (i: number): string =>
-      text.replace(
-        /Frame Time: *([\d.]+)/,
-        (_, time) => `Frame Time: ${Number(time) * (1 + i / 10)}`,
-      );
-    const files = Object.fromEntries(names.map((name, i) => [name, slower(i)]));
-    await app.open('');
-    await app.drop(...writeFiles(temporaryFolder(), files));
-    await app.settled();
-    await showPage(page, 'Pair');
-    await clipButton(page, 'more').click();
-    const rows = page.locator('#pair-clip-more .pair-list-row');
-    for (let i = 0; i < 20; i++)
-      if ((await rows.nth(i).getAttribute('aria-pressed')) === 'false') await rows.nth(i).click();
-    await expect(clipButton(page, 'more')).toHaveText('+18');
-    await page.keyboard.press('Escape');
-    await page.getByRole('button', { name: 'Start', exact: true }).click();
-    await expect(page.locator('.stage-tag.letter:visible')).toHaveCount(20);
-    for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+ArrowRight');
-    await expect.poll(async () => (await drawn()).calls).toBeGreaterThanOrEqual(22);
-    expect((await drawn()).calls).toBeLessThanOrEqual(30);
-    expect((await drawn()).uniformVectors).toBeLessThanOrEqual(224);
-  });
 });

@@ -127,12 +127,12 @@ export class Drawing {
   }
 
   show(frames: Frames): void {
-    const same = this.props.performers.every(
-      (_, i) => frameOf(frames, i) === frameOf(this.frames, i),
-    );
-    if (same && !this.posesStale) return;
-    this.direction = Math.sign(frameOf(frames, 0) - frameOf(this.frames, 0)) as -1 | 0 | 1;
+    const before = this.frames;
+    // Also of performers that are still to come.
     this.frames = frames;
+    const same = this.props.performers.every((_, i) => frameOf(frames, i) === frameOf(before, i));
+    if (same && !this.posesStale) return;
+    this.direction = Math.sign(frameOf(frames, 0) - frameOf(before, 0)) as -1 | 0 | 1;
     this.posesStale = true;
     this.requestDraw();
   }
