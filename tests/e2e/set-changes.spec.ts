@@ -177,6 +177,8 @@ test('what cannot be read or compared is a row with its reason; the others are c
     'run.bvh': sampleBytes('run-hik-30'),
     'short.bvh': text,
     'empty.bvh': '',
+    // Good until its last row.
+    'late.bvh': `${sampleText('run-poser-30').trimEnd()} not-a-number\n`,
     'prop.bvh': tinyBvh(50),
     'pose.bvh': tinyBvh(1),
     'still.bvh': sampleText('walk-hik-30').replace(
@@ -185,7 +187,7 @@ test('what cannot be read or compared is a row with its reason; the others are c
     ),
   });
   await openCompare(app, page, 3, ...files);
-  await expect(app.toast).toHaveText('2 of 8 files could not be read');
+  await expect(app.toast).toHaveText('3 of 9 files could not be read');
   // Of two performers the first is compared: the runner, as alone.
   const found = await features(page);
   expect([...found.keys()]).toEqual(['walk.bvh', 'two.bvh', 'run.bvh']);
@@ -195,6 +197,7 @@ test('what cannot be read or compared is a row with its reason; the others are c
     page.getByRole('row').filter({ has: page.locator(`.clip-name[title="${name}"]`) });
   await expect(row('short')).toContainText(`line ${line}`);
   await expect(row('empty')).toContainText('The file is empty');
+  await expect(row('late')).toContainText(/line \d{3}/);
   await expect(row('prop')).toContainText(/human/);
   await expect(row('pose')).toContainText(/human|frame/);
   await expect(row('still')).toContainText(/frame/);
