@@ -296,6 +296,12 @@ test('several clips are chosen together, labelled and removed, and each undone a
   await open('walk_anna.bvh').click({ modifiers: ['ControlOrMeta'] });
   const status = page.locator('.library-ticked [role="status"]');
   await expect(status).toHaveText('2 selected');
+  // What can be done with them stands inside the library.
+  const edges = await page
+    .locator('.library-ticked, .library-ticked button')
+    .evaluateAll((parts) => parts.map((part) => part.getBoundingClientRect().right));
+  const library = (await page.locator('#library').boundingBox())!;
+  expect(Math.max(...edges)).toBeLessThanOrEqual(library.x + library.width);
   await open('walk_anna.bvh').press('Shift+ArrowDown');
   await expect(status).toHaveText('2 selected');
   await expect(app.row('walk_ben.bvh')).toHaveClass(/ticked/);
