@@ -29,6 +29,8 @@ pub struct ComparisonHandle {
     run: Option<Run>,
     compared: Option<Rc<Compared>>,
     places: Places,
+    /// Memory for the distances of all pairs, from the last comparison that needed them.
+    room: Vec<f64>,
 }
 
 /// A comparison that is being made.
@@ -107,7 +109,8 @@ impl ComparisonHandle {
         // Its memory goes first: that of all pairs is much.
         self.run = None;
         let features = self.clips.iter().map(|clip| Rc::clone(&clip.feature));
-        let run = ComparisonRun::new(features.collect(), settings);
+        let room = std::mem::take(&mut self.room);
+        let run = ComparisonRun::in_room(features.collect(), settings, room);
         self.run = Some(Run {
             run: run.map_err(|error| cannot_compare(&error))?,
             clips: self.clips.clone(),
@@ -287,7 +290,8 @@ impl ComparisonHandle {
     /// Keeps a comparison, its map as the one before lay.
     fn take(&mut self, run: Run) {
         let clips = run.clips;
-        let mut comparison = run.run.finish();
+        let (mut comparison, room) = run.run.finish_with_room();
+        self.room = room;
         comparison.map = match run.keeps_places {
             true => self.places.keep(comparison.map, &clips),
             false => self.places.lay_out(&comparison, &clips, &self.clips),

@@ -45,13 +45,18 @@ pub struct TooManyPairs {
 }
 
 impl Condensed {
-    /// A matrix without values, with room for all.
+    /// A matrix without values, with room for all: in the memory of an earlier one, if that suffices.
     ///
     /// # Errors
     /// [`TooManyPairs`].
-    pub fn with_room(items: usize) -> Result<Self, TooManyPairs> {
+    pub fn with_room(items: usize, room: Vec<f64>) -> Result<Self, TooManyPairs> {
         let pairs = items as u64 * items.saturating_sub(1) as u64 / 2;
-        let mut values = Vec::new();
+        let mut values = room;
+        values.clear();
+        if (values.capacity() as u64) < pairs {
+            // It goes first: to let it grow would need both at once.
+            values = Vec::new();
+        }
         let reserved = usize::try_from(pairs).map(|pairs| values.try_reserve_exact(pairs));
         match reserved {
             Ok(Ok(())) => Ok(Self { items, values }),
@@ -153,10 +158,18 @@ mod tests {
     #[test]
     fn more_than_there_is_memory_for_is_said() {
         let items = 1_000_000_000;
-        let refused = Condensed::with_room(items).expect_err("an exabyte");
+        let refused = Condensed::with_room(items, Vec::new()).expect_err("an exabyte");
         let bytes = 4 * items as u64 * (items as u64 - 1);
         assert_eq!((refused.items, refused.bytes), (items, bytes));
-        let room = Condensed::with_room(5).expect("room");
-        assert_eq!((room.items, room.values.capacity()), (5, 10));
+        let matrix = Condensed::with_room(5, vec![1.0; 3]).expect("room");
+        assert_eq!((matrix.items, matrix.values.capacity()), (5, 10));
+    }
+
+    #[test]
+    fn the_memory_of_a_larger_matrix_is_taken() {
+        let room = vec![1.0; 10];
+        let place = room.as_ptr();
+        let matrix = Condensed::with_room(4, room).expect("room");
+        assert_eq!((matrix.values.as_ptr(), matrix.values.len()), (place, 0));
     }
 }

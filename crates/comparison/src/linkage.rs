@@ -114,4 +114,11 @@ impl GroupAverageSteps {
     pub fn finish(self) -> Dendrogram {
         self.chain.finish()
     }
+
+    /// The same, with the memory of the matrix, for another one.
+    #[must_use]
+    pub fn finish_with_room(self) -> (Dendrogram, Vec<f64>) {
+        let (tree, clusters) = self.chain.finish_with_clusters();
+        (tree, clusters.into_room())
+    }
 }

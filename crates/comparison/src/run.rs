@@ -35,6 +35,8 @@ pub struct ComparisonRun {
     spread: Spread,
     clusters: usize,
     bic: Vec<f64>,
+    /// The memory of the matrix, when it is not needed any more.
+    room: Vec<f64>,
 }
 
 /// What is under way.
@@ -67,12 +69,31 @@ impl ComparisonRun {
     /// # Errors
     /// Settings that do not go together; not enough memory for all pairs.
     pub fn new(clips: Vec<Rc<ClipFeature>>, settings: Settings) -> Result<Self, CannotCompare> {
+        Self::in_room(clips, settings, Vec::new())
+    }
+
+    /// The same, in the memory that [`Self::finish_with_room`] gave, if it suffices: where memory once
+    /// taken is never given back, a hole that is a little too small costs as much again.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn in_room(
+        clips: Vec<Rc<ClipFeature>>,
+        settings: Settings,
+        room: Vec<f64>,
+    ) -> Result<Self, CannotCompare> {
         settings.validate()?;
         let distances = Distances::of(settings.distance, &clips);
         let items = clips.len();
-        let work = match settings.linkage {
-            Linkage::Ward => Work::Ward(WardSteps::new(distances.vectors().unwrap_or(&[]))),
-            Linkage::Average => Work::Filling(Condensed::with_room(items)?, 0),
+        let (work, room) = match settings.linkage {
+            Linkage::Ward => {
+                let vectors = distances.vectors().unwrap_or(&[]);
+                (Work::Ward(WardSteps::new(vectors)), room)
+            }
+            Linkage::Average => {
+                let matrix = Condensed::with_room(items, room)?;
+                (Work::Filling(matrix, 0), Vec::new())
+            }
         };
         Ok(Self {
             settings,
@@ -92,6 +113,7 @@ impl ComparisonRun {
             spread: Spread::default(),
             clusters: 0,
             bic: Vec::new(),
+            room,
         })
     }
 
@@ -122,10 +144,15 @@ impl ComparisonRun {
     }
 
     /// Does what is left.
-    pub fn finish(mut self) -> Comparison {
+    pub fn finish(self) -> Comparison {
+        self.finish_with_room().0
+    }
+
+    /// The same, with memory for another run.
+    pub fn finish_with_room(mut self) -> (Comparison, Vec<f64>) {
         while self.step() < 1.0 {}
         let vectors = self.distances.vectors().unwrap_or(&[]);
-        Comparison {
+        let comparison = Comparison {
             settings: self.settings,
             clips: self.clips,
             map: self.map.unwrap_or_else(|| map::of_vectors(vectors)),
@@ -135,7 +162,8 @@ impl ComparisonRun {
             spread: self.spread,
             automatic_clusters: self.clusters,
             bic: self.bic,
-        }
+        };
+        (comparison, self.room)
     }
 
     /// Keeps the piece that is done and begins the one that follows it.
@@ -151,7 +179,11 @@ impl ComparisonRun {
                 Work::Average(GroupAverageSteps::in_place(matrix))
             }
             Work::Ward(steps) => self.keep_tree(steps.finish()),
-            Work::Average(steps) => self.keep_tree(steps.finish()),
+            Work::Average(steps) => {
+                let (tree, room) = steps.finish_with_room();
+                self.room = room;
+                self.keep_tree(tree)
+            }
             Work::Ordering(steps) => {
                 self.order = steps.finish(&|a, b| self.distances.at(a, b));
                 Work::Spreading(SpreadRun::new(&self.distances))

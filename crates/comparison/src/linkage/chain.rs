@@ -63,9 +63,15 @@ impl<C: Clusters> Chain<C> {
         self.done()
     }
 
-    pub(super) fn finish(mut self) -> Dendrogram {
+    pub(super) fn finish(self) -> Dendrogram {
+        self.finish_with_clusters().0
+    }
+
+    /// The tree, and what the clusters were known by.
+    pub(super) fn finish_with_clusters(mut self) -> (Dendrogram, C) {
         while self.step(usize::MAX) < 1.0 {}
-        Dendrogram::of_joined(self.clusters.slots(), self.joined)
+        let tree = Dendrogram::of_joined(self.clusters.slots(), self.joined);
+        (tree, self.clusters)
     }
 
     /// Clusters not yet merged into another.

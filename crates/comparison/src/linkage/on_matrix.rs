@@ -73,6 +73,11 @@ impl<R: Rule> OnMatrix<R> {
         }
     }
 
+    /// The memory of the matrix.
+    pub(super) fn into_room(self) -> Vec<f64> {
+        self.distances.values
+    }
+
     /// Numbers the clusters that are left anew, once their distances have been moved together.
     fn renumber(&mut self, kept: &[usize]) {
         self.sizes = kept.iter().map(|&at| self.sizes[at]).collect();
