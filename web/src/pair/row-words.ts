@@ -11,11 +11,20 @@ export function alignmentText({ t }: Words, way: Synchronisation, state: PairSta
   return t(state.warping.value ? 'pair.alignment.warp' : 'pair.alignment.start');
 }
 
+type WarpingState = Pick<PairState, 'warping' | 'clips'> & {
+  readonly warpings: Pick<PairState['warpings'], 'failure' | 'cancelled' | 'progress'>;
+};
+
 /** Why there is no path yet; empty when there is one. */
-export function warpingText({ t, format, failure }: Words, state: PairState): string {
+export function warpingText({ t, format, failure }: Words, state: WarpingState): string {
   const { failure: why, cancelled, progress } = state.warpings;
   if (state.warping.value) return '';
-  if (why.value !== null) return t('pair.warp.failed', failure(failureOf(why.value)));
+  if (why.value !== null) {
+    const { kind, details } = failureOf(why.value);
+    const frames = state.clips.value.slice(0, 2).map((clip) => format.integer(clip.frames));
+    if (kind === 'setting' && details[0] === 'band') return t('pair.warp.too-long', ...frames);
+    return t('pair.warp.failed', failure(failureOf(why.value)));
+  }
   if (cancelled.value) return t('pair.warp.cancelled');
   return t('pair.warp.progress', format.integer(Math.floor(100 * (progress.value ?? 0))));
 }

@@ -46,6 +46,7 @@ export const englishPair = {
   'pair.warp.cancel': 'Cancel',
   'pair.warp.cancelled': 'Not warped.',
   'pair.warp.again': 'Warp',
+  'pair.warp.too-long': 'Too long to be warped: {0} by {1} frames.',
   'pair.warp.failed': 'B could not be warped: {0}',
   'pair.ahead': 'Who is ahead',
   'pair.ahead.unit': 'in % of each clip',

@@ -46,6 +46,7 @@ export const japanesePair: Readonly<Record<keyof typeof englishPair, Message>> =
   'pair.warp.cancel': '中止',
   'pair.warp.cancelled': '時間伸縮していません。',
   'pair.warp.again': '時間伸縮する',
+  'pair.warp.too-long': '長すぎるため時間伸縮できません：{0} × {1} フレーム',
   'pair.warp.failed': 'B の時間伸縮ができません：{0}',
   'pair.ahead': 'どちらが先か',
   'pair.ahead.unit': '全長に対する %',
