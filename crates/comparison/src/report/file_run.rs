@@ -91,8 +91,8 @@ impl FileRun {
         }
     }
 
-    /// Writes about `numbers` numbers more, but no more than a part. Returns the part of the file that
-    /// is written, 1 when it is whole.
+    /// Writes about `numbers` numbers more, but nothing while a whole part waits for
+    /// [`Self::take_part`]. Returns the part of the file that is written, 1 when it is whole.
     pub fn step(&mut self, subject: &Subject, numbers: usize) -> f64 {
         let Some(nearest) = &self.nearest else {
             self.judge(subject, numbers);
@@ -186,4 +186,78 @@ fn push_row(
         FileKind::TreeNewick | FileKind::EvaluationJson => {}
     }
     out.extend_from_slice(text.as_bytes());
+}
+
+#[cfg(test)]
+mod tests {
+    use std::rc::Rc;
+
+    use super::*;
+    use crate::comparison::Comparison;
+    use crate::feature::{ClipFeature, JOINTS};
+    use crate::report::{evaluation_csv, features_csv, features_npy};
+    use crate::settings::Settings;
+
+    fn clip(item: usize) -> Rc<ClipFeature> {
+        let number = |k: usize| libm::sin((item * 31 + k * 7) as f64);
+        Rc::new(ClipFeature {
+            recorded: std::array::from_fn(number),
+            across_rigs: [0.0; FEATURE_LENGTH],
+            recorded_by_joint: [[0.0; FEATURE_LENGTH]; JOINTS],
+            across_rigs_by_joint: [[0.0; FEATURE_LENGTH]; JOINTS],
+        })
+    }
+
+    /// Its parts, each after as little work as can be.
+    fn parts(kind: FileKind, subject: &Subject, labels: &Labels) -> Vec<Vec<u8>> {
+        let mut run = FileRun::new(kind, labels);
+        let (mut parts, mut done) = (Vec::new(), 0.0);
+        while done < 1.0 {
+            let now = run.step(subject, 1);
+            assert!((done..=1.0).contains(&now), "{kind:?}: {done} then {now}");
+            done = now;
+            parts.push(run.take_part());
+        }
+        parts.retain(|part| !part.is_empty());
+        parts
+    }
+
+    #[test]
+    fn the_parts_of_a_file_make_it_whole() {
+        let items = 400;
+        let clips: Vec<_> = (0..items).map(clip).collect();
+        let names: Vec<String> = (0..items).map(|item| format!("clip, {item}")).collect();
+        let comparison = Comparison::of(clips, Settings::default()).expect("settings");
+        let label = |item: usize| (!item.is_multiple_of(3)).then(|| format!("label {}", item % 5));
+        let labels = Labels::new((0..items).map(label));
+        let subject = Subject {
+            names: &names,
+            comparison: &comparison,
+            cut: &comparison.cut(7),
+            labels: Some(&labels),
+        };
+        let whole = |kind| parts(kind, &subject, &labels).concat();
+        let (vectors, distance) = (comparison.vectors(), comparison.settings.distance);
+        let features = features_csv(&names, &vectors, distance);
+        assert_eq!(whole(FileKind::FeaturesCsv), features.as_bytes());
+        assert_eq!(whole(FileKind::FeaturesNpy), features_npy(&vectors));
+        assert_eq!(whole(FileKind::TreeNewick), subject.newick().as_bytes());
+        let scores = evaluation_csv(&subject);
+        assert_eq!(whole(FileKind::EvaluationCsv), scores.as_bytes());
+        let array = whole(FileKind::MatrixNpy);
+        assert_eq!(array.len(), 128 + items * items * size_of::<f64>());
+        assert!(array.ends_with(&0.0_f64.to_le_bytes()));
+        let table = parts(FileKind::MatrixCsv, &subject, &labels);
+        assert!(table.len() > 2 && table.iter().all(|part| part.len() < PART_BYTES * 5 / 4));
+        let text = String::from_utf8(table.concat()).expect("text");
+        assert_eq!(text.lines().count(), items + 1);
+    }
+
+    #[test]
+    fn every_kind_has_a_name() {
+        for (kind, name) in FileKind::NAMES {
+            assert_eq!(FileKind::named(name), Some(kind));
+        }
+        assert_eq!(FileKind::named("matrix"), None);
+    }
 }
