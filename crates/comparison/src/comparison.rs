@@ -5,7 +5,6 @@ use core::fmt::{self, Display, Formatter};
 use std::rc::Rc;
 
 use crate::condensed::TooManyPairs;
-use crate::cut::{bic, mojena};
 use crate::dendrogram::Dendrogram;
 use crate::distance::Measured;
 use crate::distances::Distances;
@@ -15,8 +14,7 @@ use crate::feature::{ClipFeature, Vector};
 use crate::leaf_order::Order;
 use crate::map::Map;
 use crate::neighbours::nearest_first;
-use crate::run::ComparisonRun;
-use crate::settings::{CutRule, Settings, SettingsError};
+use crate::settings::{Settings, SettingsError};
 use crate::spread::Spread;
 
 /// One distance between all clips of a set, and what follows from it.
@@ -109,14 +107,6 @@ pub struct Evaluation {
 }
 
 impl Comparison {
-    /// Compares clips at once; in pieces: [`ComparisonRun`].
-    ///
-    /// # Errors
-    /// Settings that do not go together; not enough memory for all pairs.
-    pub fn of(clips: Vec<Rc<ClipFeature>>, settings: Settings) -> Result<Self, CannotCompare> {
-        Ok(ComparisonRun::new(clips, settings)?.finish())
-    }
-
     /// The partition into so many clusters (held within 1 and the number of items).
     pub fn cut(&self, clusters: usize) -> Cut {
         let clusters = clusters.clamp(1, self.clips.len().max(1));
@@ -165,24 +155,5 @@ impl Comparison {
     /// Why two items differ.
     pub fn explain(&self, a: usize, b: usize) -> Explanation {
         explanation::explain(self.settings.distance, &self.clips[a], &self.clips[b])
-    }
-}
-
-/// How many clusters a rule finds, and the criterion that says so.
-pub(crate) fn clusters_of(
-    rule: CutRule,
-    distances: &Distances,
-    tree: &Dendrogram,
-) -> (usize, Vec<f64>) {
-    match rule {
-        CutRule::Number(clusters) => (clusters.clamp(1, tree.items.max(1)), Vec::new()),
-        CutRule::Bic => {
-            let values = bic::bic(distances.vectors().unwrap_or(&[]), tree);
-            (bic::best(&values), values)
-        }
-        CutRule::Mojena => {
-            let heights: Vec<f64> = tree.merges.iter().map(|merge| merge.height).collect();
-            (mojena::mojena(&heights, mojena::DEVIATIONS), Vec::new())
-        }
     }
 }

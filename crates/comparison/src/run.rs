@@ -6,8 +6,9 @@
 
 use std::rc::Rc;
 
-use crate::comparison::{CannotCompare, Comparison, clusters_of};
+use crate::comparison::{CannotCompare, Comparison};
 use crate::condensed::Condensed;
+use crate::cut;
 use crate::dendrogram::Dendrogram;
 use crate::distances::Distances;
 use crate::feature::ClipFeature;
@@ -193,8 +194,9 @@ impl ComparisonRun {
                 Work::Cutting
             }
             Work::Cutting => {
+                let vectors = self.distances.vectors().unwrap_or(&[]);
                 let rule = self.settings.rule();
-                (self.clusters, self.bic) = clusters_of(rule, &self.distances, &self.tree);
+                (self.clusters, self.bic) = cut::clusters(rule, vectors, &self.tree);
                 Work::Done
             }
             Work::Done => Work::Done,
@@ -214,6 +216,16 @@ impl ComparisonRun {
             Linkage::Average => weight::FILLING + weight::AVERAGE,
         };
         tree + mapping + weight::ORDERING + weight::SPREADING + weight::CUTTING
+    }
+}
+
+impl Comparison {
+    /// Compares clips at once; in pieces: [`ComparisonRun`].
+    ///
+    /// # Errors
+    /// Settings that do not go together; not enough memory for all pairs.
+    pub fn of(clips: Vec<Rc<ClipFeature>>, settings: Settings) -> Result<Self, CannotCompare> {
+        Ok(ComparisonRun::new(clips, settings)?.finish())
     }
 }
 
