@@ -153,8 +153,8 @@ export class ComparisonWorker implements ComparisonApi {
     const memory = { wasmBytes: 0, motionBytes: 0 };
     try {
       const { core, set } = await this.ready();
-      memory.wasmBytes = core.memoryBytes();
       const value = await work(set, core);
+      memory.wasmBytes = core.memoryBytes();
       return transfer({ status: 'done', value, memory }, buffersOf(value));
     } catch (error) {
       if (error instanceof CoreFailure) return { status: 'failed', failure: error.failure, memory };
