@@ -216,6 +216,14 @@ test('clips are chosen, swapped and added by keys; a third one is superposed', a
   await expect(page.locator('.pair-plate')).toHaveCount(2);
 });
 
+test('two that cannot be compared say so', async ({ app, page }) => {
+  const text = sampleText(walk);
+  const [still] = text.split(/(?<=Frame Time:[^\n]*\n[^\n]*\n)/);
+  const one = (still ?? '').replace(/Frames: *\d+/, 'Frames: 1');
+  await openPair(app, ...writeFiles(temporaryFolder(), { 'one.bvh': one, 'walk.bvh': text }));
+  await expect(page.locator('.pair-note')).toHaveText('These two cannot be compared.');
+});
+
 test('one clip alone asks for another', async ({ app, page }) => {
   await openPair(app, ...sampleFiles(walk));
   await expect(page.locator('.stage-sentence:visible').last()).toContainText(

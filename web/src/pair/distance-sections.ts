@@ -34,6 +34,9 @@ export function distanceSections(context: Context, found: Explanation | null): T
 
 function missing({ store, language }: Context): string {
   const { t, format } = language.words.value;
+  const { openId, clips, compare } = store;
+  const ids = [openId.value, compare.otherId.value].filter((id) => id !== null);
+  if (ids.some((id) => clips.value[id]?.incomparable)) return t('pair.not-compared');
   const done = store.compare.comparing.value;
   if (done !== null) return t('pair.comparing', format.integer(Math.floor(100 * done)));
   return store.compare.comparison.value ? t('pair.not-compared') : t('pair.comparing', '0');

@@ -6,11 +6,18 @@ import type { PairClip } from './pair-clips';
 import { warpingText } from './row-words';
 
 const words = wordsFor('en');
-const clips = signal([{ frames: 45_000 }, { frames: 44_000 }] as unknown as readonly PairClip[]);
+const clip = (frames: number, kind = 'human') => ({ frames, performer: { body: { kind } } });
+const human = [clip(45_000), clip(44_000)];
 
-const textOf = (state: { failure?: unknown; cancelled?: boolean; progress?: number }): string =>
+interface Told {
+  readonly failure?: unknown;
+  readonly cancelled?: boolean;
+  readonly progress?: number;
+}
+
+const textOf = (state: Told, clips: readonly object[] = human): string =>
   warpingText(words, {
-    clips,
+    clips: signal(clips as readonly PairClip[]),
     warping: signal(null),
     warpings: {
       failure: signal(state.failure ?? null),
@@ -28,6 +35,12 @@ it('says in frames that two clips are too long for each other', () => {
   const details = ['band', '1980000000', 'at most 268435456 pairs of frames: a narrower band'];
   const failure = new EngineError({ kind: 'setting', line: null, column: null, details }, 'b.bvh');
   expect(textOf({ failure })).toBe('Too long to be warped: 45,000 by 44,000 frames.');
+});
+
+it('says that a body is none that could be warped', () => {
+  const failure = new Error('lost');
+  const text = textOf({ failure }, [clip(10), clip(10, 'other')]);
+  expect(text).toBe('These two cannot be compared.');
 });
 
 it('tells any other reason', () => {

@@ -21,7 +21,9 @@ export function warpingText({ t, format, failure }: Words, state: WarpingState):
   if (state.warping.value) return '';
   if (why.value !== null) {
     const { kind, details } = failureOf(why.value);
-    const frames = state.clips.value.slice(0, 2).map((clip) => format.integer(clip.frames));
+    const two = state.clips.value.slice(0, 2);
+    const frames = two.map((clip) => format.integer(clip.frames));
+    if (two.some(({ performer }) => performer.body.kind !== 'human')) return t('pair.not-compared');
     if (kind === 'setting' && details[0] === 'band') return t('pair.warp.too-long', ...frames);
     return t('pair.warp.failed', failure(failureOf(why.value)));
   }
