@@ -21,7 +21,7 @@ const isCompared = (count: number): boolean =>
     .some((mark) => (mark as PerformanceMark).detail === count);
 
 test('two hundred clips: all are compared, then their keyposes follow', async ({ app, page }) => {
-  await page.goto(stageOff);
+  await app.open();
   await app.drop(filledFolder(200));
   await expect(page.locator('.library-count')).toHaveText('201 clips');
   await page.waitForFunction(isCompared, 200);
@@ -35,7 +35,7 @@ test('a clip opened before its turn has its keyposes; a cancel keeps the rest', 
   app,
   page,
 }) => {
-  await page.goto(`${stageOff}&workers=1`);
+  await app.open(`${stageOff}&workers=1`);
   await app.drop(filledFolder(500));
   await page.waitForFunction(isCompared, 500);
   await app.button('Cancel reading').click();

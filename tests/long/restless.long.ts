@@ -114,6 +114,7 @@ test('nothing breaks, whatever is pressed', async ({ page }) => {
   const done: string[] = [];
 
   await page.goto(`${served.address}?stage=off`, { timeout: 30_000 });
+  await expect(page.locator('.top-bar')).toContainText('Keypose');
   await drop();
   const endMs = Date.now() + 1_000 * SECONDS;
   let count = 0;

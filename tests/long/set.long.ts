@@ -37,6 +37,7 @@ test.use({
 async function dropAll(page: Page): Promise<AppPage> {
   const app = new AppPage(page);
   await page.goto(`${served.address}?stage=off`);
+  await expect(page.locator('.top-bar')).toContainText('Keypose');
   await page.evaluate(() => {
     const gaps: number[] = [];
     let last = performance.now();
