@@ -91,7 +91,7 @@ function waitsFor(
   const { superposed, synchronisation } = store.compare;
   return computed(
     () =>
-      (synchronisation.value === 'warp' && warpings.progress.value !== null) ||
+      (synchronisation.value === 'warp' && warpings.underWay.value) ||
       (superposed.value && placements.value === null),
   );
 }

@@ -48,6 +48,10 @@ describe('warpings', () => {
     expect(asked).toEqual(['1 2', '1 3']);
     expect([...warpings.found.value.keys()]).toEqual([2]);
     expect(warpings.progress.value).toBeNull();
+    expect(warpings.underWay.value).toBe(true);
+    open[1].finish();
+    await settle();
+    expect(warpings.underWay.value).toBe(false);
   });
 
   it('stay when a clip comes, and go when A or the mirror changes', async () => {
@@ -74,6 +78,7 @@ describe('warpings', () => {
     await settle();
     expect(warpings.cancelled.value).toBe(true);
     expect([warpings.progress.value, warpings.failure.value]).toEqual([null, null]);
+    expect(warpings.underWay.value).toBe(false);
     warpings.warp();
     expect(warpings.cancelled.value).toBe(false);
     expect(asked.length).toBe(2);

@@ -9,6 +9,8 @@ export interface Warpings {
   readonly found: ReadonlySignal<ReadonlyMap<ClipId, Warping>>;
   /** 0 to 1 while B is being warped, else null. */
   readonly progress: ReadonlySignal<number | null>;
+  /** Some clip is still to be warped. */
+  readonly underWay: ReadonlySignal<boolean>;
   /** Why B could not be warped. */
   readonly failure: ReadonlySignal<unknown>;
   /** Given up until other clips are wanted, or `warp`. */
@@ -44,6 +46,7 @@ export function followWarpings(
 class Following implements Warpings {
   readonly found = signal<ReadonlyMap<ClipId, Warping>>(new Map());
   readonly progress = signal<number | null>(null);
+  readonly underWay = signal(false);
   readonly failure = signal<unknown>(null);
   readonly cancelled = signal(false);
   readonly destroy: () => void;
@@ -68,6 +71,7 @@ class Following implements Warpings {
   readonly cancel = (): void => {
     this.abort.abort();
     this.progress.value = null;
+    this.underWay.value = false;
     this.cancelled.value = true;
   };
 
@@ -88,11 +92,13 @@ class Following implements Warpings {
 
   /** One after the other, B first. */
   private async run(jobs: readonly Job[], abort: AbortSignal): Promise<void> {
+    this.underWay.value = jobs.length > 0;
     for (const job of jobs) {
       await this.runOne(job, abort);
       if (abort.aborted) return;
       this.progress.value = null;
     }
+    this.underWay.value = false;
   }
 
   private async runOne(job: Job, abort: AbortSignal): Promise<void> {
