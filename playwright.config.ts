@@ -13,7 +13,7 @@ function port(): number {
 }
 
 /** Tests that look at the stage; the others run quicker in a browser without WebGL. */
-const drawn = /(stage|page|pair|film|appearance)\.spec\.ts/;
+const drawn = /(stage|page|film|appearance)\.spec\.ts/;
 
 const address = `http://127.0.0.1:${port()}`;
 const vite = `"${process.execPath}" node_modules/vite/bin/vite.js`;

@@ -58,7 +58,7 @@ test('twenty clips of other rates stand on one stage within thirty draw calls', 
   app,
   page,
 }) => {
-  const drawn = await watchDrawing(page);
+  const drawn = await watchDrawing(page, { paints: false });
   const text = sampleText(walk);
   const names = Array.from({ length: 20 }, (_, i) => `clip-${String(i).padStart(2, '0')}.bvh`);
   const slower = (i: number): string =>

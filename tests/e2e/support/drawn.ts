@@ -12,14 +12,17 @@ export interface Drawn {
   readonly uniformVectors: number;
 }
 
-/** To be called before the page opens. */
-export async function watchDrawing(page: Page): Promise<() => Promise<Drawn>> {
-  await page.addInitScript(install);
+/** To be called before the page opens. `paints`: whether calls reach WebGL, which takes long without a GPU. */
+export async function watchDrawing(
+  page: Page,
+  { paints = true } = {},
+): Promise<() => Promise<Drawn>> {
+  await page.addInitScript(install, paints);
   return () => page.evaluate(() => (window as unknown as { drawn: Drawn }).drawn);
 }
 
 /** Runs in the page. */
-function install(): void {
+function install(paints: boolean): void {
   const drawn = { calls: 0, triangles: [] as number[], frames: 0, uniformVectors: 0 };
   Object.assign(window, { drawn });
   const add = (count: number): void => {
@@ -27,11 +30,16 @@ function install(): void {
     drawn.triangles.push(count / 3);
   };
   type Call = (gl: WebGL2RenderingContext, values: readonly unknown[]) => void;
-  const wrap = (name: keyof WebGL2RenderingContext, call: Call, when: 'before' | 'after'): void => {
+  const wrap = (
+    name: keyof WebGL2RenderingContext,
+    call: Call,
+    when: 'before' | 'after' | 'instead',
+  ): void => {
     const prototype = WebGL2RenderingContext.prototype as unknown as Record<string, unknown>;
     const own = prototype[name] as (...values: unknown[]) => unknown;
     prototype[name] = function (this: WebGL2RenderingContext, ...values: unknown[]): unknown {
-      if (when === 'before') call(this, values);
+      if (when !== 'after') call(this, values);
+      if (when === 'instead') return undefined;
       const result = Reflect.apply(own, this, values);
       if (when === 'after') call(this, values);
       return result;
@@ -45,9 +53,10 @@ function install(): void {
     },
     'before',
   );
-  wrap('drawArrays', (_, [, , count]) => add(Number(count)), 'before');
-  wrap('drawElements', (_, [, count]) => add(Number(count)), 'before');
-  wrap('drawElementsInstanced', (_, [, count, , , n]) => add(Number(count) * Number(n)), 'before');
+  const when = paints ? 'before' : 'instead';
+  wrap('drawArrays', (_, [, , count]) => add(Number(count)), when);
+  wrap('drawElements', (_, [, count]) => add(Number(count)), when);
+  wrap('drawElementsInstanced', (_, [, count, , , n]) => add(Number(count) * Number(n)), when);
   wrap(
     'linkProgram',
     (gl, [program]) => {
