@@ -241,6 +241,18 @@ test('a worker that dies is replaced, and numbers its clips as before', async ()
   comparer.destroy();
 });
 
+test('a comparison whose worker dies tells so, names no file, and the next one begins anew', async () => {
+  const { comparer, deaths, workers } = setUp();
+  const many = Array.from({ length: 900 }, (_, index) => Math.sin(index));
+  withPlaces(comparer, many);
+  const stopped = expect(comparer.compare(average)).rejects.toThrow(/^: comparison-stopped gone$/);
+  while (workers.length === 0) await new Promise((next) => setTimeout(next));
+  deaths[0]?.('gone');
+  await stopped;
+  expect((await comparer.compare(ward)).clips).toHaveLength(900);
+  comparer.destroy();
+});
+
 /** Gower's formula on the map of a line, whose second axis has no spread: the foot on the line. */
 function footOnLine(map: Float64Array, places: readonly number[], place: number): number {
   const middle = (values: readonly number[]): number =>

@@ -236,11 +236,19 @@ class WorkerComparer implements Comparer {
         return await start();
       } catch (error) {
         if (error instanceof WorkerLost && attempt < ATTEMPTS) continue;
-        if (error instanceof WorkerLost) throw new EngineError(failureOf('worker-died'), '');
-        throw error instanceof TaskFailed ? new EngineError(error.failure, '') : error;
+        throw asEngineError(error);
       }
     }
   }
+}
+
+/** A worker that died had no file of its own: the comparison is what stopped. */
+function asEngineError(error: unknown): unknown {
+  if (error instanceof WorkerLost) return new EngineError(failureOf('comparison-stopped'), '');
+  if (!(error instanceof TaskFailed)) return error;
+  const { failure } = error;
+  const died = failure.kind === 'worker-died';
+  return new EngineError(died ? failureOf('comparison-stopped', ...failure.details) : failure, '');
 }
 
 /** What turns the features told into those wanted, or so many of them at first. */

@@ -12,6 +12,7 @@ export const ENGINE_FAILURES = [
   'archive-without-motions',
   'changed-on-disk',
   'compared-again',
+  'comparison-stopped',
   'engine-unavailable',
   'no-such-sample',
   'not-an-archive',

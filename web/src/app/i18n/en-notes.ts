@@ -104,6 +104,8 @@ export const englishFailures: Readonly<Record<string, string>> = {
   'archive-without-motions': 'The archive holds no BVH files.',
   'changed-on-disk': 'The file has changed on disk since it was opened. Drop it again.',
   'compared-again': 'The clips have been compared again meanwhile. Try again.',
+  'comparison-stopped':
+    'The comparison stopped unexpectedly; the clips are not affected. It begins again with the next change.',
   'engine-unavailable': 'The analysis could not be started: {0}',
   'no-such-sample': 'There is no sample {0}.',
   'not-an-archive': 'This is not a .zip archive.',

@@ -91,6 +91,8 @@ export const japaneseFailures: Readonly<Record<string, string>> = {
   'archive-without-motions': '書庫に BVH ファイルがありません。',
   'changed-on-disk': '開いた後にファイルが変わりました。もう一度ドロップしてください。',
   'compared-again': 'その間に比較がやり直されました。もう一度試してください。',
+  'comparison-stopped':
+    '比較が思いがけず止まりました。クリップに影響はありません。次の変更で始め直します。',
   'engine-unavailable': '解析を始められませんでした：{0}',
   'no-such-sample': 'サンプル {0} はありません。',
   'not-an-archive': '.zip の書庫ではありません。',
