@@ -129,6 +129,7 @@ test('? shows the list; keys are still while it is open, and in fields', async (
   await page.keyboard.press('?');
   const list = page.getByRole('dialog', { name: 'Keyboard shortcuts' });
   await expect(list).toContainText('Next keypose, previous with Shift');
+  await expect(list).toContainText(/Ctrl\s*A\s*Select all/);
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Escape');
   await expect(list).toBeHidden();
