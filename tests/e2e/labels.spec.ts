@@ -86,7 +86,11 @@ test('of many labels a part is drawn, and all are reached', async ({ app, page }
   await expect(confusion.getByRole('columnheader').last()).toBeInViewport({ ratio: 1 });
   await expect(confusion.getByRole('rowheader').last()).toBeInViewport({ ratio: 1 });
   const legend = page.getByRole('list', { name: 'Labels' });
-  await expect(legend.getByRole('listitem').last()).toHaveText('… and 28 more');
+  const others = legend.getByRole('listitem').last();
+  await expect(others).toHaveText('… and 28 more');
+  await expect(others).toBeInViewport({ ratio: 1 });
+  const beyond = await scores(page).evaluate((one) => one.scrollWidth - one.clientWidth);
+  expect(beyond).toBeLessThanOrEqual(0);
 });
 
 test('an error is reached by a press: it becomes the pair', async ({ app, page }) => {

@@ -82,6 +82,10 @@ test('names are text: markup, emoji, two hundred signs; namesakes are told apart
   expect(titles).toContain(`${long}_3`);
   expect(titles).toContain('set/first walk');
   expect(titles).toContain('set/second walk');
+  await options(page).filter({ hasText: 'first walk' }).click();
+  const why = page.getByRole('tabpanel');
+  await expect(why.locator('.nearest h3')).toHaveText('Nearest to set/first walk');
+  await expect(why.locator('.near-card[title="set/second walk"]')).toBeVisible();
   await expect(page.locator('img')).toHaveCount(0);
   const wide = (): Promise<number> =>
     page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

@@ -50,7 +50,7 @@ const disagreements = (page: Page): Promise<string[]> =>
     const seen = (selector: string): HTMLElement[] =>
       [...document.querySelectorAll<HTMLElement>(selector)].filter((one) => one.checkVisibility());
     const found: string[] = [];
-    const open = seen('.clip.open .clip-name').map((one) => one.title);
+    const open = seen('.clip.open .clip-name').map((one) => one.title.replace(/\.bvh$/i, ''));
     const [named] = seen('.pair-name').map((one) => one.title);
     if (open.length > 1) found.push('two clips are open');
     if (named && open[0] && !open[0].endsWith(named)) found.push(`A is ${open[0]} and ${named}`);

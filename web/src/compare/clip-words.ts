@@ -2,13 +2,20 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Clip } from '../app/clips';
 import type { Words } from '../app/i18n/catalogue';
+import { qualifiedName } from '../app/names';
 import { labelMark } from '../common/label-mark';
+import type { ClipId } from '../engine/types';
 
 /** A file name without its ending. */
 export const plainName = (name: string): string => name.replace(/\.bvh$/i, '');
 
-export const shortName = (clip: Clip | null | undefined): string =>
-  plainName(clip?.source.name ?? '');
+export type NameOf = (clip: Clip | null | undefined) => string;
+
+/** File names without their ending, told apart; the same everywhere on the page. */
+export const clipNames =
+  (qualifiers: ReadonlyMap<ClipId, string>): NameOf =>
+  (clip) =>
+    clip ? qualifiedName(plainName(clip.source.name), qualifiers.get(clip.id)) : '';
 
 /** A label and its place among all. */
 export interface LabelOf {

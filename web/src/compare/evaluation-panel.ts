@@ -14,7 +14,7 @@ import { labelMark } from '../common/label-mark';
 import { mount } from '../common/mount';
 import type { Evaluation } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
-import { shortName } from './clip-words';
+import { clipNames, type NameOf } from './clip-words';
 import { ConfusionCounts, confusionTable } from './confusion-table';
 import type { Room } from './confusion-window';
 import { openLabelDialog } from './label-dialog';
@@ -28,6 +28,7 @@ interface EvaluationProps {
   readonly compared: number;
   readonly clusters: number;
   readonly clips: readonly Clip[];
+  readonly nameOf: NameOf;
   readonly labels: Labels;
   readonly placeOf: (label: string) => number;
   readonly selected: { readonly a: ClipId | null; readonly b: ClipId | null };
@@ -44,9 +45,11 @@ const figure = (value: string, beside: string, about: string): TemplateResult =>
     <p class="quiet">${about}</p>
   </div>`;
 
-function notes({ words: { t }, evaluation, compared, clips, labels }: EvaluationProps): string[] {
+function notes(props: EvaluationProps): string[] {
+  const { words, evaluation, compared, clips, nameOf, labels } = props;
+  const { t } = words;
   const owner = (label: string): string =>
-    shortName(clips.find(({ id, removed }) => !removed && labels.get(id) === label));
+    nameOf(clips.find(({ id, removed }) => !removed && labels.get(id) === label));
   const { single, labelled } = evaluation;
   const singles = single
     .slice(0, mostSingles)
@@ -76,11 +79,13 @@ function scores(props: EvaluationProps): TemplateResult {
 }
 
 function errorRow(props: EvaluationProps, a: ClipId, b: ClipId): TemplateResult {
-  const { words, clips, labels, placeOf, selected, onPair } = props;
+  const { words, clips, nameOf, labels, placeOf, selected, onPair } = props;
   const one = (id: ClipId): TemplateResult => {
     const label = labels.get(id) ?? null;
-    return html`<span class="error-clip" title=${label ?? nothing}
-      >${label === null ? nothing : labelMark(placeOf(label))}<span>${shortName(clips[id])}</span
+    const name = nameOf(clips[id]);
+    const title = label === null ? name : `${name} · ${label}`;
+    return html`<span class="error-clip" title=${title}
+      >${label === null ? nothing : labelMark(placeOf(label))}<span>${name}</span
       ><span class="spoken"> ${label}</span></span
     >`;
   };
@@ -170,6 +175,7 @@ function panel(context: Context, { counts, places, room }: Prepared): TemplateRe
       compared: comparison.value?.clips.length ?? found.labelled,
       clusters: cut.value?.clusters ?? 0,
       clips: store.clips.value,
+      nameOf: clipNames(store.qualifiers.value),
       labels: store.labels.value,
       placeOf: (label) => placeOf.get(label) ?? -1,
       selected: { a: store.openId.value, b: otherId.value },
@@ -178,8 +184,8 @@ function panel(context: Context, { counts, places, room }: Prepared): TemplateRe
   )}`;
 }
 
-/** Scores and errors stand beside it, its title over it. */
-const besidePx = 430;
+/** Scores and errors stand beside it, with room around it and a line; its title over it. */
+const besidePx = 431;
 const leastRoom = { width: 260, height: 120 } as const;
 const mostRoomPx = 560;
 const titlePx = 50;

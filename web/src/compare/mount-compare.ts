@@ -1,13 +1,13 @@
 /** The place of the page in; a set of clips compared out: bar, matrix, evaluation, map and tabs. */
 import '../styles/compare.css';
 import { computed, signal } from '@preact/signals-core';
-import { html, nothing, render, type TemplateResult } from 'lit-html';
+import { html, render, type TemplateResult } from 'lit-html';
 import type { Context } from '../app/context';
 import { follow, mount } from '../common/mount';
 import { clipsApart, type Apart } from './apart';
 import { mountCompareBar } from './compare-bar';
 import { mountEvaluation } from './evaluation-panel';
-import { labelMark } from '../common/label-mark';
+import { mountMapLegend } from './map-legend';
 import { MapView } from './map-view';
 import { leastNamedCellPx } from './matrix-axis';
 import { noZoom } from './matrix-geometry';
@@ -50,7 +50,7 @@ export function mountCompare(place: HTMLElement, context: Context): void {
   if (middle) mountTopCounts(middle, context);
   const apart = computed(() => clipsApart(context.store.present.value));
   mount(part(place, '.matrix-head'), () => head(shared, pane, apart.value));
-  mount(part(place, '.map-legend'), () => mapLegend(shared));
+  mountMapLegend(part(place, '.map-legend'), shared);
   mount(part(place, '.compare-message'), () => message(context));
   follow(() => {
     place.setAttribute('aria-label', context.language.words.value.t('compare.page'));
@@ -112,22 +112,6 @@ function distanceOf({ context, facts }: Shared): number | null {
   const known = explanation.value;
   const fits = known?.a === context.store.openId.value && known.b === otherId.value;
   return known && fits ? known.distance : null;
-}
-
-/** Labels beside the map: after these, colour and shape repeat. */
-const mostExplained = 12;
-
-function mapLegend({ context, scene }: Shared): TemplateResult {
-  const shown = scene.value;
-  const { t } = context.language.words.value;
-  const used = [...new Set(shown?.labelOfItem)].filter((index) => index >= 0).sort((a, b) => a - b);
-  const rest = used.length - mostExplained;
-  const entry = (index: number): TemplateResult =>
-    html`<li>${labelMark(index)}<span>${shown?.labels[index]}</span></li>`;
-  return html`<ul aria-label=${t('map.legend')}>
-    ${used.slice(0, mostExplained).map(entry)}
-    ${rest > 0 ? html`<li>${t('compare.apart.more', rest)}</li>` : nothing}
-  </ul>`;
 }
 
 /** Over the matrix: what is being done, or what is missing. */

@@ -10,7 +10,7 @@ import type { Neighbour } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 import { rowWindow, scrollToRow } from '../library/row-window';
-import { mirrorSign, shortName, type LabelOf } from './clip-words';
+import { mirrorSign, type LabelOf, type NameOf } from './clip-words';
 import { distanceNumber } from './distance-number';
 
 export const neighbourHeightPx = 44;
@@ -23,6 +23,7 @@ export interface NeighbourListProps {
   readonly neighbours: readonly Neighbour[];
   readonly clips: readonly Clip[];
   readonly otherId: ClipId | null;
+  readonly nameOf: NameOf;
   readonly labelOf: (id: ClipId) => LabelOf | null;
   readonly scrollTop: number;
   readonly viewHeight: number;
@@ -50,7 +51,7 @@ function row(
   index: number,
   tabStop: boolean,
 ): TemplateResult {
-  const { words, clips, otherId, labelOf, neighbours, onChoose, onOpenPair } = props;
+  const { words, clips, otherId, nameOf, labelOf, neighbours, onChoose, onOpenPair } = props;
   const clip = clips[one.clip];
   const label = labelOf(one.clip);
   return html`<li
@@ -70,7 +71,7 @@ function row(
       <span class="neighbour-rank">${words.format.integer(index + 1)}</span>
       ${thumbnail(clip)}
       <span class="neighbour-text"
-        >${clipName(clip?.source.name ?? '')}<span class="neighbour-label"
+        >${clipName(nameOf(clip))}<span class="neighbour-label"
           >${label ? html`${labelMark(label.index)}${label.name}` : nothing}</span
         ></span
       >
@@ -108,7 +109,7 @@ function onKey(props: NeighbourListProps, event: KeyboardEvent): void {
 }
 
 export function neighbourList(props: NeighbourListProps): TemplateResult {
-  const { words, a, neighbours, otherId } = props;
+  const { words, a, neighbours, nameOf, otherId } = props;
   if (!a || neighbours.length === 0)
     return html`<p class="side-hint">${words.t(a ? 'neighbours.none' : 'why-pair.none')}</p>`;
   const { first, end } = rowWindow(
@@ -120,7 +121,7 @@ export function neighbourList(props: NeighbourListProps): TemplateResult {
   const inSight = neighbours.slice(first, end);
   const hasChosen = inSight.some(({ clip }) => clip === otherId);
   const onScroll = (event: Event): void => props.onScroll((event.target as HTMLElement).scrollTop);
-  return html`<h3 class="neighbour-title">${words.t('neighbours.nearest-to', shortName(a))}</h3>
+  return html`<h3 class="neighbour-title">${words.t('neighbours.nearest-to', nameOf(a))}</h3>
     <div
       class="neighbour-list"
       @scroll=${onScroll}

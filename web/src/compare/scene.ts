@@ -2,8 +2,8 @@
 import type { Clip } from '../app/clips';
 import type { MatrixOrder } from '../app/compare-store';
 import type { Comparison, Cut } from '../engine/comparison-types';
-import { qualifiedName } from '../app/names';
 import type { ClipId } from '../engine/types';
+import { clipNames } from './clip-words';
 import { orderItems, type Ordering } from './item-order';
 import { treeNodes, type TreeNodes } from './tree-layout';
 
@@ -33,18 +33,15 @@ export interface SceneParts {
   readonly labelNames: readonly string[];
 }
 
-export const plainName = (name: string): string => name.replace(/\.bvh$/i, '');
-
 /** A cut of an older comparison says nothing of this one. */
 const fittingCut = ({ cut, comparison }: SceneParts): Cut | null =>
   cut?.clusterOfItem.length === comparison.clips.length ? cut : null;
 
 export function sceneOf(parts: SceneParts): Scene {
-  const { comparison, kind, clips, qualifiers } = parts;
+  const { comparison, kind, clips } = parts;
   const { clips: ids, tree } = comparison;
-  const names = Array.from(ids, (id) =>
-    qualifiedName(plainName(clips[id]?.source.name ?? ''), qualifiers.get(id)),
-  );
+  const nameOf = clipNames(parts.qualifiers);
+  const names = Array.from(ids, (id) => nameOf(clips[id]));
   const labelOf = Array.from(ids, (id) => parts.labels.get(id) ?? null);
   const labels = parts.labelNames;
   const indexOf = new Map(labels.map((label, index) => [label, index]));

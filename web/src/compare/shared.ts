@@ -4,6 +4,7 @@ import type { Context } from '../app/context';
 import type { ClipPair } from '../app/compare-store';
 import type { Labels } from '../app/labels';
 import type { ClipId } from '../engine/types';
+import { clipNames } from './clip-words';
 import { comparePalette, type ComparePalette } from './compare-palette';
 import { HoverFacts } from './hover-facts';
 import { arrivedSince, type Arrived } from './map-arrivals';
@@ -39,7 +40,9 @@ function arrivedIn(
   return computed(() => {
     const [shown, arrivals] = [scene.value, store.compare.arrivals.value];
     if (!shown || arrivals.size === 0) return noneArrived;
-    const arrived = arrivedSince(shown, arrivals, store.clips.peek(), store.labels.value);
+    const named = clipNames(store.qualifiers.peek());
+    const nameOf = (id: ClipId): string => named(store.clips.peek()[id]);
+    const arrived = arrivedSince(shown, arrivals, nameOf, store.labels.value);
     return arrived.length > 0 ? arrived : noneArrived;
   });
 }

@@ -9,7 +9,7 @@ import { icon } from '../common/icons';
 import { mount } from '../common/mount';
 import type { ClipId } from '../engine/types';
 import { createClipFigures } from './clip-figures';
-import type { LabelOf } from './clip-words';
+import { clipNames, type LabelOf } from './clip-words';
 import { neighbourList } from './neighbour-list';
 import { createScrolling } from './scrolling';
 import { createTableTab } from './table-tab';
@@ -91,6 +91,7 @@ function createWhyTab(context: Context): () => TemplateResult {
       explanation: found,
       neighbours: neighbours.value,
       clips: store.clips.value,
+      nameOf: clipNames(store.qualifiers.value),
       labelOf: labelReader(context),
       onNeighbour: (id) => compareActions.selectOther(id),
     });
@@ -118,6 +119,7 @@ function createNeighboursTab(
       neighbours: store.compare.neighbours.value,
       clips: store.clips.value,
       otherId: store.compare.otherId.value,
+      nameOf: clipNames(store.qualifiers.value),
       labelOf: labelReader(context),
       scrollTop: scrolling.top.value,
       viewHeight: scrolling.height.value,

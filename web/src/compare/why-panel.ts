@@ -8,7 +8,7 @@ import type { Explanation, Neighbour } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 import type { FlatFigure } from '../figure/flat-figure';
-import { mirrorSign, namedMark, shortName, type LabelOf } from './clip-words';
+import { mirrorSign, namedMark, type LabelOf, type NameOf } from './clip-words';
 import { componentBars } from './component-bars';
 import { distanceNumber } from './distance-number';
 import { paintedBody } from './painted-body';
@@ -26,6 +26,7 @@ export interface WhyPanelProps {
   readonly explanation: Explanation | null;
   readonly neighbours: readonly Neighbour[];
   readonly clips: readonly Clip[];
+  readonly nameOf: NameOf;
   readonly labelOf: (id: ClipId) => LabelOf | null;
   readonly onNeighbour: (id: ClipId) => void;
 }
@@ -51,15 +52,15 @@ function strip(figures: readonly FlatFigure[], scale: number, groundY: number): 
 }
 
 function pairStrips(props: WhyPanelProps): TemplateResult {
-  const { a, b, figuresA, figuresB, labelOf } = props;
+  const { a, b, figuresA, figuresB, nameOf, labelOf } = props;
   const all = [...figuresA, ...figuresB];
   const scale = stripScale(all);
   const groundY = stripGround(all, scale);
   const half = (clip: Clip | null, figures: readonly FlatFigure[]): TemplateResult => {
     const label = clip && labelOf(clip.id);
     return html`<div>
-      <p class="pair-name" title=${clip?.source.name ?? ''}>
-        ${label ? labelMark(label.index) : nothing}<b>${shortName(clip ?? undefined)}</b
+      <p class="pair-name" title=${nameOf(clip)}>
+        ${label ? labelMark(label.index) : nothing}<b>${nameOf(clip)}</b
         ><span class="quiet">${label?.name}</span>
       </p>
       ${strip(figures, scale, groundY)}
@@ -69,8 +70,8 @@ function pairStrips(props: WhyPanelProps): TemplateResult {
 }
 
 function explained(props: WhyPanelProps, explanation: Explanation): TemplateResult {
-  const { words, a, b, outdated } = props;
-  const name = (clip: Clip | null): TemplateResult => html`<b>${shortName(clip ?? undefined)}</b>`;
+  const { words, a, b, outdated, nameOf } = props;
+  const name = (clip: Clip | null): TemplateResult => html`<b>${nameOf(clip)}</b>`;
   const bars =
     explanation.sentence.kind === 'same'
       ? nothing
@@ -87,7 +88,7 @@ function explained(props: WhyPanelProps, explanation: Explanation): TemplateResu
 }
 
 function card(props: WhyPanelProps, { clip: id, distance, mirrored }: Neighbour): TemplateResult {
-  const { words, clips, b, labelOf, onNeighbour } = props;
+  const { words, clips, b, nameOf, labelOf, onNeighbour } = props;
   const clip = clips[id];
   const figure = clip?.thumbnail ?? null;
   const draw = (parent: Element): void => {
@@ -98,12 +99,12 @@ function card(props: WhyPanelProps, { clip: id, distance, mirrored }: Neighbour)
     <button
       type="button"
       class="near-card"
-      title=${clip?.source.name ?? ''}
+      title=${nameOf(clip)}
       aria-pressed=${String(b?.id === id)}
       @click=${() => onNeighbour(id)}
     >
       <svg viewBox="0 0 ${cardWidth} ${cardHeight}" aria-hidden="true" ${drawn(figure, draw)}></svg>
-      <span class="near-name">${namedMark(labelOf(id))}<span>${shortName(clip)}</span></span>
+      <span class="near-name">${namedMark(labelOf(id))}<span>${nameOf(clip)}</span></span>
       <span class="near-distance"
         >${distanceNumber(words.format, distance)}${mirrored ? mirrorSign(words) : nothing}</span
       >
@@ -112,10 +113,10 @@ function card(props: WhyPanelProps, { clip: id, distance, mirrored }: Neighbour)
 }
 
 function nearest(props: WhyPanelProps): TemplateResult | typeof nothing {
-  const { words, a, neighbours } = props;
+  const { words, a, neighbours, nameOf } = props;
   if (!a || neighbours.length === 0) return nothing;
   return html`<section class="nearest">
-    <h3>${words.t('neighbours.nearest-to', shortName(a))}</h3>
+    <h3>${words.t('neighbours.nearest-to', nameOf(a))}</h3>
     <ul>
       ${neighbours.slice(0, cards).map((one) => card(props, one))}
     </ul>
