@@ -37,7 +37,7 @@ export interface Two {
 export type TwoSignal = ReadonlySignal<Two | null>;
 
 export function mountRows(place: HTMLElement, context: Context, state: PairState): void {
-  const gutter = element('div', 'pair-gutter');
+  const gutter = element('div', 'row-gutter');
   const area = element('div', 'pair-area');
   place.append(gutter, area);
   area.style.height = gutter.style.height = `${ROWS_HEIGHT}px`;

@@ -6,6 +6,7 @@ import { follow, mount } from '../common/mount';
 import { performerLetter } from '../figure/performer-letter';
 import type { Placement } from '../figure/placement';
 import type { Look, Stage, StageProps } from '../stage';
+import { emptyStage } from '../study/empty-stage';
 import { loadStage, type LoadedStage } from '../study/load-stage';
 import type { StageSettings } from '../study/mount-stage';
 import { watchCorners } from '../study/watch-corners';
@@ -154,24 +155,13 @@ function keepCorners(overlay: HTMLElement, stage: StageSignal): void {
   follow(() => stage.value?.update({ corners: corners.value }));
 }
 
-function firstProps({ store, theme, language }: Context, settings: StageSettings): StageProps {
+function firstProps(context: Context, settings: StageSettings): StageProps {
+  const { language } = context;
   return {
-    performers: [],
-    chosen: 0,
-    ghosts: [],
-    currentTag: null,
-    trails: null,
-    theme: theme.theme.peek(),
-    view: store.view.peek(),
-    follow: store.follow.peek(),
+    ...emptyStage(context, settings),
     room: ROOM,
-    ...settings,
     moreContrast: matchMedia('(prefers-contrast: more)').matches,
-    corners: { left: 0, right: 0 },
     performerName: (place) => language.words.peek().t('pair.choose', performerLetter(place)),
-    onViewChange: (view) => {
-      store.view.value = view;
-    },
   };
 }
 

@@ -8,6 +8,7 @@ import { createPoseSource } from '../engine/pose-source';
 import { performerLetter } from '../figure/performer-letter';
 import type { Stage, StageHit, StagePerformer, StageProps } from '../stage';
 import { captionOf, type Caption } from './caption';
+import { emptyStage } from './empty-stage';
 import { jointName, offeredJoints } from './joint-names';
 import { showJointTip } from './joint-tip';
 import { loadStage, type LoadedStage } from './load-stage';
@@ -62,27 +63,13 @@ export function mountStage(places: StagePlaces, context: Context, settings: Stag
   speak(places.spoken, store, caption);
 }
 
-function firstProps(
-  { store, theme, language, actions }: Context,
-  settings: StageSettings,
-): StageProps {
+function firstProps(context: Context, settings: StageSettings): StageProps {
+  const { language, actions } = context;
   return {
-    performers: [],
-    chosen: 0,
-    ghosts: [],
-    currentTag: null,
-    trails: null,
-    theme: theme.theme.peek(),
-    view: store.view.peek(),
-    follow: store.follow.peek(),
-    ...settings,
+    ...emptyStage(context, settings),
     moreContrast: false,
-    corners: { left: 0, right: 0 },
     performerName: (performer) =>
       language.words.peek().t('recording.performer.number', performerLetter(performer)),
-    onViewChange: (view) => {
-      store.view.value = view;
-    },
     onChoose: (performer) => actions.choosePerformer(performer),
   };
 }

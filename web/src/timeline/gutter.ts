@@ -11,7 +11,7 @@ export interface GutterFigures {
 }
 
 export class Gutter {
-  readonly element = element('div', 'timeline-gutter');
+  readonly element = element('div', 'row-gutter');
   private readonly names: Record<RowName, HTMLElement>;
   private readonly figures = {
     ruler: element('span', 'row-figure'),
