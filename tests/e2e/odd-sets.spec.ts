@@ -82,7 +82,7 @@ test('names are text: markup, emoji, two hundred signs; namesakes are told apart
   expect(titles).toContain(`${long}_3`);
   expect(titles).toContain('set/first walk');
   expect(titles).toContain('set/second walk');
-  await options(page).filter({ hasText: 'first walk' }).click();
+  await page.locator('.matrix-name[title="set/first walk"]').click();
   const why = page.getByRole('tabpanel');
   await expect(why.locator('.nearest h3')).toHaveText('Nearest to set/first walk');
   await expect(why.locator('.near-card[title="set/second walk"]')).toBeVisible();
