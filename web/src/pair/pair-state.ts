@@ -26,7 +26,10 @@ export interface PairState {
   readonly alignment: ReadonlySignal<Alignment>;
   /** Of B along A. */
   readonly warping: ReadonlySignal<Warping | null>;
-  readonly warpings: Pick<Warpings, 'progress' | 'failure' | 'cancelled' | 'cancel' | 'warp'>;
+  readonly warpings: Pick<
+    Warpings,
+    'underWay' | 'progress' | 'failure' | 'cancelled' | 'cancel' | 'warp'
+  >;
   /** Of each clip, the index of the keypose nearest to its frame. */
   readonly currentKeyposes: ReadonlySignal<readonly (number | null)[]>;
   /** Of each clip, the keypose at which all meet when synchronised by keypose. */
