@@ -6,7 +6,7 @@ import { effect } from '@preact/signals-core';
 import { render } from 'lit-html';
 
 /** Views that take longer than this are drawn in more than one frame: no task may last 50 ms. */
-const FRAME_MS = 12;
+const FRAME_MS = 8;
 
 const waiting = new Set<() => void>();
 let requested = false;
