@@ -230,10 +230,6 @@ export interface Comparer {
   evaluate(labelled: LabelledCut, work?: WorkOptions): Promise<Evaluation>;
   /** Warps clip b onto clip a; both are read again if need be. */
   warp(a: ClipId, b: ClipId, settings: WarpSettings, work?: WorkOptions): Promise<Warping>;
-  exportFile(
-    kind: ComparisonExportKind,
-    labelled: LabelledCut,
-    work?: WorkOptions,
-  ): Promise<Blob>;
+  exportFile(kind: ComparisonExportKind, labelled: LabelledCut, work?: WorkOptions): Promise<Blob>;
   destroy(): void;
 }
