@@ -1,17 +1,15 @@
 /** The page Compare: matrix, tree, names and map of a set, by pointer and by keys alone. */
 import type { Page } from '@playwright/test';
-import { sampleBytes, sampleFiles, temporaryFolder, tinyBvh, writeFiles } from './support/motions';
+import {
+  sampleBytes,
+  sampleFiles,
+  sixSamples as set,
+  temporaryFolder,
+  tinyBvh,
+  writeFiles,
+} from './support/motions';
 import { expect, test } from './support/test';
 import type { AppPage } from './support/app-page';
-
-const set = [
-  'walk-hik-30',
-  'walk-poser-30',
-  'run-hik-30',
-  'run-poser-30',
-  'slow-dance-hik-30',
-  'tired-dance-hik-30',
-];
 
 async function openCompare(app: AppPage, page: Page, ...more: string[]): Promise<void> {
   await app.openWith(...sampleFiles(...set), ...more);

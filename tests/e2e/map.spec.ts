@@ -2,17 +2,8 @@
 import type { Page } from '@playwright/test';
 import type { AppPage } from './support/app-page';
 import { changeOf, mapPoint, placesOnMap } from './support/map';
-import { sampleFiles } from './support/motions';
+import { sampleFiles, sixSamples as set } from './support/motions';
 import { expect, test } from './support/test';
-
-const set = [
-  'walk-hik-30',
-  'walk-poser-30',
-  'run-hik-30',
-  'run-poser-30',
-  'slow-dance-hik-30',
-  'tired-dance-hik-30',
-];
 
 const names = (page: Page) =>
   page.getByRole('listbox', { name: 'Clips in the order of the matrix' }).getByRole('option');

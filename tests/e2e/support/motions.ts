@@ -5,6 +5,16 @@ import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { runCommand } from '../../support/command';
 
+/** Two gaits in two rigs each, and two dances: a set to compare. */
+export const sixSamples = [
+  'walk-hik-30',
+  'walk-poser-30',
+  'run-hik-30',
+  'run-poser-30',
+  'slow-dance-hik-30',
+  'tired-dance-hik-30',
+];
+
 export function temporaryFolder(): string {
   return mkdtempSync(join(tmpdir(), 'keypose-e2e-'));
 }

@@ -146,7 +146,7 @@ function popover(
   const title = words.t('labels.from-names');
   return html`<div
     id=${panelId}
-    class="label-panel"
+    class="form-panel label-panel"
     popover
     role="dialog"
     aria-label=${title}

@@ -3,6 +3,7 @@
  * screen or a clock: a busy or hidden page makes the same film, only later. One picture is one task, and the
  * next waits until the encoder has room.
  */
+import { letMessagesIn } from '../engine/turns';
 import type { FilmCodec } from './film-codec';
 import type { FilmShape } from './film-shape';
 import { WebmWriter } from './webm';
@@ -34,7 +35,7 @@ export async function recordFilm(job: FilmJob): Promise<Blob> {
       const canvas = await line.unlessStopped(job.draw(picture));
       line.encode(canvas, picture);
       onProgress(picture + 1);
-      await nextTask();
+      await letMessagesIn();
       await line.room();
     }
     return await line.finish(count / shape.rate_hz);
@@ -118,15 +119,3 @@ class EncodingLine {
 }
 
 const microseconds = (seconds: number): number => Math.round(seconds * 1e6);
-
-/** Lets the page answer in between; unlike a timer it is not slowed down while the page is hidden. */
-function nextTask(): Promise<void> {
-  return new Promise((resolve) => {
-    const { port1, port2 } = new MessageChannel();
-    port1.onmessage = () => {
-      port1.close();
-      resolve();
-    };
-    port2.postMessage(null);
-  });
-}

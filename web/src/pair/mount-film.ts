@@ -43,7 +43,7 @@ export function mountFilm(
     return html`${filmButton({ words, underWay, expanded: open.value, able, onPress })}
       <div
         id=${filmPanelId}
-        class="film-panel"
+        class="form-panel film-panel"
         popover
         role="dialog"
         aria-label=${words.t('film.title')}
