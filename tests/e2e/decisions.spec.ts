@@ -134,7 +134,7 @@ test('a removed clip comes back, with what was decided about it', async ({ app, 
 
   await app.row('walk-poser-30.bvh').getByRole('button').first().press('Delete');
   await expect(app.rows).toHaveCount(0);
-  await expect(page.getByRole('heading', { name: 'See the keyposes of a motion.' })).toBeVisible();
+  await expect(page.getByRole('heading', { name: 'See the keyposes of a motion, and which motions are alike.' })).toBeVisible();
   await page.keyboard.press('Control+z');
   await app.expectNames('walk-poser-30.bvh');
   await app.tab('Method');

@@ -291,11 +291,12 @@ class BatchLoader implements Loader {
     flushClips(store);
     if (this.batch === batch) this.leave();
     this.takeOutUnread(batch);
+    const clips = batch.clips.filter((id) => !this.isUnread(id));
     const cancelled = batch.abort.signal.aborted;
     if (!cancelled) backlog.add(batch.surveyed);
     onEnd({
       cancelled,
-      clips: batch.clips.filter((id) => !this.isUnread(id)),
+      clips,
       failed: batch.failed,
       others: batch.others,
       emptyFolders: batch.emptyFolders,

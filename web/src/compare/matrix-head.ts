@@ -5,6 +5,7 @@ import type { Words } from '../app/i18n/catalogue';
 import { iconButton } from '../common/buttons';
 import { clipName } from '../common/clip-name';
 import { icon } from '../common/icons';
+import '../styles/segments.css';
 import type { Apart } from './apart';
 import { legend, type LegendProps } from './legend';
 

@@ -57,7 +57,7 @@ function legend({ words: { t }, joints }: BodyFigure): TemplateResult | typeof n
   if (used.length < 2) return nothing;
   const key = (source: BodyJoint['source']): TemplateResult =>
     html`<li class="side-trunk source-${source}">${glyph(source)}${t(`source.${source}`)}</li>`;
-  return html`<ul class="legend">
+  return html`<ul class="joint-legend">
     ${used.map(key)}
   </ul>`;
 }

@@ -1,6 +1,7 @@
 /** Choices of which one holds in; a row of buttons out, the one that holds pressed. */
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { icon, type IconName } from '../common/icons';
+import '../styles/segments.css';
 
 export interface Segment {
   readonly label: string;
@@ -16,7 +17,7 @@ export function segments(label: string, all: readonly Segment[]): TemplateResult
       (one) =>
         html`<button
           type="button"
-          class="segment ${one.chosen ? 'on' : ''}"
+          class=${one.chosen ? 'on' : ''}
           aria-pressed=${String(one.chosen)}
           data-tip=${one.tip ?? nothing}
           @click=${one.onChoose}

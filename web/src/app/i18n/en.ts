@@ -8,7 +8,7 @@ export const en = {
   'unit.hertz': '{0} Hz',
   'unit.s': 's',
 
-  'empty.title': 'See the keyposes of a motion.',
+  'empty.title': 'See the keyposes of a motion, and which motions are alike.',
   'empty.drop': 'Drop motion capture files (BVH), folders or a .zip',
   'empty.files': 'Choose files',
   'empty.folder': 'Choose a folder',

@@ -10,7 +10,7 @@ export const ja: Readonly<Record<keyof typeof en, Message>> = {
   'unit.hertz': '{0} Hz',
   'unit.s': 's',
 
-  'empty.title': '動きのキーポーズが見える。',
+  'empty.title': '動きのキーポーズと、似た動きが見える。',
   'empty.drop': 'モーションキャプチャのファイル（BVH）、フォルダー、.zip をここにドロップ',
   'empty.files': 'ファイルを選ぶ',
   'empty.folder': 'フォルダーを選ぶ',
