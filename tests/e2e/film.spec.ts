@@ -8,6 +8,9 @@ import { expect, test } from './support/test';
 const walk = 'walk-hik-30';
 const run = 'run-hik-30';
 
+/** What makes films is fetched with the first one. */
+const told = { timeout: 60_000 };
+
 /** A short stretch of the pair, in frames of A. */
 async function openStretch(app: AppPage, frames: number): Promise<void> {
   const { page } = app;
@@ -23,10 +26,35 @@ const panel = (page: Page) => page.getByRole('dialog', { name: 'Pair as film' })
 const choose = (page: Page, name: string) =>
   panel(page).getByRole('button', { name, exact: true }).click();
 
+async function save(page: Page): Promise<void> {
+  await choose(page, 'Save film');
+  await expect(panel(page)).toBeHidden();
+}
+
 async function made(page: Page): Promise<Download> {
   const download = page.waitForEvent('download', { timeout: 200_000 });
-  await choose(page, 'Save film');
+  await save(page);
   return download;
+}
+
+/** From now on as a tab behind others is: no frames, timers once a second. Returns what shows it again. */
+async function hide(page: Page): Promise<() => Promise<void>> {
+  await page.evaluate(() => {
+    const frame = requestAnimationFrame.bind(window);
+    const timer = setTimeout.bind(window);
+    const waiting: FrameRequestCallback[] = [];
+    Object.defineProperty(document, 'hidden', { configurable: true, value: true });
+    const slow = (task: () => void, ms = 0) => timer(task, Math.max(1000, ms));
+    const never = (draw: FrameRequestCallback) => waiting.push(draw);
+    Object.assign(window, { requestAnimationFrame: never, setTimeout: slow });
+    const show = () => {
+      Reflect.deleteProperty(document, 'hidden');
+      Object.assign(window, { requestAnimationFrame: frame, setTimeout: timer });
+      waiting.forEach((draw) => frame(draw));
+    };
+    Object.assign(window, { show });
+  });
+  return () => page.evaluate(() => (window as unknown as { show: () => void }).show());
 }
 
 interface Played {
@@ -66,7 +94,7 @@ async function play(page: Page, bytes: Buffer): Promise<Played> {
   return played;
 }
 
-test('a film of the pair plays: as long, as large and as moved as it should be', async ({
+test('a film made in a hidden tab plays: as long, as large and as moved as it should be', async ({
   app,
   page,
 }) => {
@@ -82,8 +110,12 @@ test('a film of the pair plays: as long, as large and as moved as it should be',
   await page.keyboard.press('Enter');
   await choose(page, '25');
   await expect(panel(page)).toContainText('0.24 s · 6 frames');
-  const download = await made(page);
+  const saved = page.waitForEvent('download', { timeout: 200_000 });
+  await save(page);
   await expect(film(page)).toBeFocused();
+  const show = await hide(page);
+  const download = await saved;
+  await show();
   expect(download.suggestedFilename()).toBe(`${walk} with ${run}.webm`);
   await expect(app.toast).toHaveText(`${walk} with ${run}.webm saved`);
   await expect(film(page)).toHaveText('Film');
@@ -155,7 +187,7 @@ test('its pictures go by time: the same in another window and while the pair pla
   await page.keyboard.press('Escape');
   await film(page).click();
   const download = page.waitForEvent('download', { timeout: 200_000 });
-  await choose(page, 'Save film');
+  await save(page);
   await page.keyboard.press('Space');
   await download;
   expect(await pictures()).toEqual(once);
@@ -168,7 +200,7 @@ test('a cancelled film leaves no file and a page that goes on', async ({ app, pa
   page.on('download', () => files++);
   await film(page).click();
   await choose(page, '60');
-  await choose(page, 'Save film');
+  await save(page);
   await expect(film(page)).toHaveText('Cancel the film');
   await expect(page.locator('.film-count')).toHaveText(/^Frame [1-9]\d* of 41$/);
   await film(page).click();
@@ -189,16 +221,48 @@ test('what keeps a film from being made is told, with what to do', async ({ app,
     VideoEncoder.isConfigSupported = () => Promise.resolve({ supported: false });
   });
   await film(page).click();
-  await choose(page, 'Save film');
-  await expect(app.toast).toContainText('choose the smaller one, or another browser');
+  await save(page);
+  await expect(app.toast).toContainText('choose the smaller one, or another browser', told);
   await expect(film(page)).toHaveText('Film');
   await page.evaluate(() => {
     VideoEncoder.isConfigSupported = () => Promise.resolve({ supported: true });
     HTMLCanvasElement.prototype.getContext = () => null;
   });
   await film(page).click();
-  await choose(page, 'Save film');
-  await expect(app.toast).toContainText('close other pages that draw, then try again');
+  await save(page);
+  await expect(app.toast).toContainText('close other pages that draw, then try again', told);
+});
+
+/** Of the film's panel and of its button. */
+async function boxes(page: Page) {
+  const [over, button] = [await panel(page).boundingBox(), await film(page).boundingBox()];
+  if (!over || !button) throw new Error('the panel is not open');
+  const { width, height } = page.viewportSize()!;
+  const inWindow =
+    over.x >= 0 && over.y >= 0 && over.x + over.width <= width && over.y + over.height <= height;
+  return { inWindow, apart: Math.round(button.y - over.y - over.height) };
+}
+
+test('the panel stands over its button whenever its content comes, and goes with the window', async ({
+  app,
+  page,
+}) => {
+  await openStretch(app, 2);
+  await page.evaluate(() => {
+    // So slow that every view has a frame of its own; other views come first.
+    const own = performance.now.bind(performance);
+    let more = 0;
+    performance.now = () => own() + (more += 10);
+    document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft', bubbles: true }));
+    document.getElementById('film-button')!.click();
+  });
+  await expect(panel(page).getByRole('button', { name: 'Save film' })).toBeVisible();
+  const right = { inWindow: true, apart: 4 };
+  expect(await boxes(page)).toEqual(right);
+  await page.setViewportSize({ width: 1100, height: 640 });
+  await expect.poll(() => boxes(page)).toEqual(right);
+  await film(page).click();
+  await expect(panel(page)).toBeHidden();
 });
 
 test('a browser without an encoder says so', async ({ app, page }) => {

@@ -1,5 +1,6 @@
 /** A button with a menu under it, on the browser's own popover: it closes by Escape and by a press outside. */
 import { html, nothing, type TemplateResult } from 'lit-html';
+import { keptBeside } from './beside';
 import { icon, type IconName } from './icons';
 
 export interface MenuItem {
@@ -32,21 +33,6 @@ export interface Menu {
   readonly items: readonly MenuItem[];
 }
 
-const gapPx = 4;
-
-/** Under the button, one edge with the button's; above it where there is no room; always in the window. */
-function place(menu: HTMLElement): void {
-  const button = document.querySelector(`[popovertarget="${menu.id}"]`);
-  if (!button) return;
-  const { left, right, top, bottom } = button.getBoundingClientRect();
-  const { offsetWidth: width, offsetHeight: height } = menu;
-  const fitsBelow = bottom + 2 * gapPx + height <= innerHeight;
-  const wanted = fitsBelow ? bottom + gapPx : top - gapPx - height;
-  menu.style.top = `${Math.max(gapPx, Math.min(wanted, innerHeight - gapPx - height))}px`;
-  const start = menu.hasAttribute('data-begins') ? left : right - width;
-  menu.style.left = `${Math.max(gapPx, Math.min(start, innerWidth - gapPx - width))}px`;
-}
-
 const itemsOf = (menu: HTMLElement): HTMLElement[] => [
   ...menu.querySelectorAll<HTMLElement>('[role^="menuitem"]'),
 ];
@@ -54,7 +40,6 @@ const itemsOf = (menu: HTMLElement): HTMLElement[] => [
 function onToggle(event: Event): void {
   const menu = event.currentTarget as HTMLElement;
   if (!menu.matches(':popover-open')) return;
-  place(menu);
   const items = itemsOf(menu);
   const chosen = items.find((item) => item.getAttribute('aria-checked') === 'true');
   (chosen ?? items[0])?.focus();
@@ -127,9 +112,9 @@ export function menuButton(menu: Menu): TemplateResult {
       id=${id}
       class="menu"
       popover
-      ?data-begins=${field}
       role="menu"
       aria-label=${label}
+      @beforetoggle=${keptBeside({ opens: id, side: 'below', edge: field ? 'left' : 'right' })}
       @toggle=${onToggle}
       @keydown=${onKey}
     >

@@ -7,6 +7,7 @@ import { html, nothing, type TemplateResult } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import type { Context } from '../app/context';
 import type { Words } from '../app/i18n/catalogue';
+import { keptBeside } from '../common/beside';
 import { iconButton } from '../common/buttons';
 import { clipName } from '../common/clip-name';
 import { icon } from '../common/icons';
@@ -14,7 +15,6 @@ import { labelPreview, type LabelExample, type LabelPreview } from './label-prev
 
 const panelId = 'label-panel';
 const usualPattern = '{label}_*';
-const gapPx = 4;
 
 export interface LabelDialog {
   readonly template: () => TemplateResult;
@@ -33,15 +33,7 @@ export function openLabelDialog(): void {
 
 const close = (): void => panel()?.hidePopover();
 
-/** Under the button of the labels. */
-function place(element: HTMLElement): void {
-  const button = document.querySelector('[popovertarget="labels-menu"]');
-  if (!button) return;
-  const { left, bottom } = button.getBoundingClientRect();
-  const most = innerWidth - gapPx - element.offsetWidth;
-  element.style.left = `${Math.max(gapPx, Math.min(left, most))}px`;
-  element.style.top = `${bottom + gapPx}px`;
-}
+const underLabels = keptBeside({ opens: 'labels-menu', side: 'below', edge: 'left' });
 
 function example({ t }: Words, { name, label }: LabelExample): TemplateResult {
   return html`<tr>
@@ -127,7 +119,6 @@ export function createLabelDialog({ store, compareActions, language }: Context):
     if (!isOpen.peek()) return;
     const rule = store.compare.labelRule.peek();
     pattern.value = rule.kind === 'pattern' ? rule.pattern : usualPattern;
-    place(element);
   };
   const apply = (): void => {
     compareActions.setLabelRule({ kind: 'pattern', pattern: pattern.peek() });
@@ -150,6 +141,7 @@ function popover(
     popover
     role="dialog"
     aria-label=${title}
+    @beforetoggle=${underLabels}
     @toggle=${onToggle}
   >
     <div class="dialog-head">

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { MatrixOrder } from '../app/compare-store';
 import type { Words } from '../app/i18n/catalogue';
+import { keptBeside } from '../common/beside';
 import { iconButton } from '../common/buttons';
 import { clipName } from '../common/clip-name';
 import { icon } from '../common/icons';
@@ -82,6 +83,8 @@ function orderChoice({
   >`;
 }
 
+const underApart = keptBeside({ opens: 'apart-list', side: 'below', edge: 'left' });
+
 function apartButton({ words: { t }, apart }: MatrixHeadProps): unknown {
   if (apart.length === 0) return nothing;
   const line = ({ clip, reason }: Apart): TemplateResult =>
@@ -90,7 +93,7 @@ function apartButton({ words: { t }, apart }: MatrixHeadProps): unknown {
   return html`<button type="button" class="button ghost apart" popovertarget="apart-list">
       ${icon('info', 14)}${t('compare.apart', apart.length)}
     </button>
-    <div id="apart-list" class="menu apart-list" popover>
+    <div id="apart-list" class="menu apart-list" popover @beforetoggle=${underApart}>
       <p>${t('compare.apart.about')}</p>
       <ul>
         ${apart.slice(0, mostListed).map(line)}

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import type { Words } from '../app/i18n/catalogue';
+import { keptBeside } from '../common/beside';
 import { icon } from '../common/icons';
 import type { ClipId } from '../engine/types';
 import { performerLetter } from '../figure/performer-letter';
@@ -32,15 +33,6 @@ export interface ClipListProps {
 
 /** Rows at most: who has more clips than that writes a few letters. */
 const mostRows = 100;
-const gapPx = 4;
-
-function place(list: HTMLElement): void {
-  const button = document.querySelector(`[popovertarget="${list.id}"]`);
-  if (!button) return;
-  const { left, bottom } = button.getBoundingClientRect();
-  list.style.top = `${bottom + gapPx}px`;
-  list.style.left = `${Math.max(gapPx, Math.min(left, innerWidth - list.offsetWidth - gapPx))}px`;
-}
 
 /** ↑ ↓ go from the filter through the rows and back. */
 function walk(event: KeyboardEvent): void {
@@ -92,7 +84,6 @@ export function clipList(props: ClipListProps): TemplateResult {
     const list = event.currentTarget as HTMLElement;
     if (!list.matches(':popover-open')) return;
     props.onFilter('');
-    place(list);
     list.querySelector('input')?.focus();
   };
   return html`<div
@@ -101,6 +92,7 @@ export function clipList(props: ClipListProps): TemplateResult {
     popover
     role="dialog"
     aria-label=${props.label}
+    @beforetoggle=${keptBeside({ opens: props.id, side: 'below', edge: 'left' })}
     @toggle=${onToggle}
     @keydown=${walk}
   >

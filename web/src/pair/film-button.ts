@@ -18,7 +18,9 @@ export interface FilmButtonProps {
   readonly expanded: boolean;
   /** The browser makes films. */
   readonly able: boolean;
-  readonly onPress: () => void;
+  /** Id of the popover that it opens. */
+  readonly opens: string;
+  readonly onCancel: () => void;
 }
 
 /** Drawn here: the page's sheet of symbols comes before anybody asks for a film. */
@@ -50,18 +52,19 @@ function progress(words: Words, film: FilmUnderWay): TemplateResult {
 }
 
 export function filmButton(props: FilmButtonProps): TemplateResult {
-  const { words, underWay, expanded, able, onPress } = props;
+  const { words, underWay, expanded, able, opens, onCancel } = props;
   const { t } = words;
   return html`${underWay ? progress(words, underWay) : nothing}
     <button
       id="film-button"
       type="button"
       class="button line"
+      popovertarget=${underWay ? nothing : opens}
       aria-haspopup=${underWay ? nothing : 'dialog'}
       aria-expanded=${underWay ? nothing : String(expanded)}
       aria-describedby=${able ? nothing : 'film-reason'}
       ?disabled=${!able}
-      @click=${onPress}
+      @click=${underWay ? onCancel : null}
     >
       ${underWay ? icon('x', 14) : clapperboard()}<span
         >${underWay ? t('film.stop') : t('film')}</span

@@ -21,16 +21,6 @@ export interface FilmPanelProps {
 }
 
 export const filmPanelId = 'film-panel';
-const gapPx = 4;
-
-/** Over its button, one edge with the button's, in the window. */
-export function placeFilmPanel(panel: HTMLElement): void {
-  const button = document.getElementById('film-button');
-  if (!button) return;
-  const { right, top } = button.getBoundingClientRect();
-  panel.style.left = `${Math.max(gapPx, right - panel.offsetWidth)}px`;
-  panel.style.top = `${Math.max(gapPx, top - gapPx - panel.offsetHeight)}px`;
-}
 
 function choices({ words: { t, format }, shape, onShape }: FilmPanelProps): TemplateResult {
   const { height, rate_hz } = shape;

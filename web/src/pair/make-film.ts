@@ -25,6 +25,7 @@ export async function makeFilm(
   progress: FilmProgress,
 ): Promise<Blob> {
   const codec = await chooseCodec(shape);
+  progress.signal.throwIfAborted();
   if (!codec) throw new FilmFailure('no-codec');
   const poses = new FilmPoses(engine);
   const moments = new FilmMoments(wish, poses);
@@ -47,7 +48,7 @@ export async function makeFilm(
     return await recordFilm({ shape, codec, count, draw, ...progress });
   } finally {
     poses.destroy();
-    stage.destroy();
+    void stage.destroy();
   }
 }
 

@@ -4,21 +4,22 @@ import { computed, signal, type ReadonlySignal } from '@preact/signals-core';
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Context } from '../app/context';
 import type { Words } from '../app/i18n/catalogue';
+import { keptBeside } from '../common/beside';
 import { mount } from '../common/mount';
 import { hasEncoder } from '../film/film-codec';
 import { filmShape } from '../film/film-shape';
 import { filmTimes } from '../film/film-times';
 import { filmButton } from './film-button';
 import { createFilmMaker, type FilmMaker } from './film-maker';
-import { filmPanel, filmPanelId, placeFilmPanel } from './film-panel';
+import { filmPanel, filmPanelId } from './film-panel';
 import { filmWish, stretchOf } from './film-wish';
 import type { PairStages } from './mount-stages';
 import type { PairState } from './pair-state';
 
 const usualShape = filmShape(720, 30);
 
-const panel = (): HTMLElement | null => document.getElementById(filmPanelId);
-const close = (): void => panel()?.hidePopover();
+const overButton = keptBeside({ opens: filmPanelId, side: 'above', edge: 'right' });
+const close = (): void => document.getElementById(filmPanelId)?.hidePopover();
 
 export function mountFilm(
   place: HTMLElement,
@@ -31,22 +32,21 @@ export function mountFilm(
   const choices = createChoices(state, waitsFor(context, state, shown), maker);
   const able = hasEncoder();
   const onToggle = (event: Event): void => {
-    const element = event.currentTarget as HTMLElement;
-    open.value = element.matches(':popover-open');
-    if (open.peek()) requestAnimationFrame(() => placeFilmPanel(element));
+    open.value = (event.currentTarget as HTMLElement).matches(':popover-open');
   };
   mount(place, () => {
     const words = context.language.words.value;
     const underWay = maker.underWay.value;
     place.hidden = state.clips.value.length < 2;
-    const onPress = underWay ? maker.cancel : () => panel()?.togglePopover();
-    return html`${filmButton({ words, underWay, expanded: open.value, able, onPress })}
+    const opens = filmPanelId;
+    return html`${filmButton({ words, underWay, expanded: open.value, able, opens, onCancel: maker.cancel })}
       <div
         id=${filmPanelId}
         class="form-panel film-panel"
         popover
         role="dialog"
         aria-label=${words.t('film.title')}
+        @beforetoggle=${overButton}
         @toggle=${onToggle}
       >
         ${open.value ? choices(words) : nothing}

@@ -83,6 +83,8 @@ export function createStageFilm(
 }
 
 export class StageFilm {
+  private ended = false;
+
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly context: WebGL2RenderingContext,
@@ -92,10 +94,14 @@ export class StageFilm {
     renderer.setSize(size.width, size.height, false);
   }
 
-  /** Shaders are compiled beside the page, where the browser can. */
+  /** Shaders are compiled beside the page, where the browser can; graphics that have gone end the wait. */
   async compiled(): Promise<void> {
-    const camera = new PerspectiveCamera();
-    for (const { scene } of this.panes) await this.renderer.compileAsync(scene.scene, camera);
+    const gone = new Promise<void>((resolve) =>
+      this.renderer.domElement.addEventListener('webglcontextlost', () => resolve(), {
+        once: true,
+      }),
+    );
+    await Promise.race([gone, this.compile()]);
   }
 
   /** Draws a pane's next picture, whose poses must be there; null where they are not or the graphics have gone. */
@@ -104,7 +110,7 @@ export class StageFilm {
     const { scene } = pane;
     if (moment.ghosts !== pane.moment?.ghosts) scene.setGhosts(moment.ghosts);
     if (moment.trails !== pane.moment?.trails) scene.setTrails(moment.trails);
-    if (!scene.showFrame(moment.frames) || this.context.isContextLost()) return null;
+    if (this.ended || !scene.showFrame(moment.frames) || this.context.isContextLost()) return null;
     pane.moment = moment;
     pane.camera ??= this.cameraOf(pane);
     pane.camera.step(this.framed(pane), moment.dtS);
@@ -125,11 +131,18 @@ export class StageFilm {
     return filmTags(scene, numbers, camera.camera, area);
   }
 
-  /** Gives the graphics back. */
-  destroy(): void {
+  /** Gives the graphics back, once they have done what they are about: that would hold up the page. */
+  async destroy(): Promise<void> {
+    this.ended = true;
+    await allDrawn(this.context);
     this.renderer.forceContextLoss();
     for (const { scene } of this.panes) scene.dispose();
     this.renderer.dispose();
+  }
+
+  private async compile(): Promise<void> {
+    const camera = new PerspectiveCamera();
+    for (const { scene } of this.panes) await this.renderer.compileAsync(scene.scene, camera);
   }
 
   private get aspect(): number {
