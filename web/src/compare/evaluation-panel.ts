@@ -10,20 +10,22 @@ import type { Context } from '../app/context';
 import type { Words } from '../app/i18n/catalogue';
 import type { Labels } from '../app/labels';
 import { icon } from '../common/icons';
-import { labelMark } from '../common/label-mark';
 import { mount } from '../common/mount';
 import type { Evaluation } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { clipNames, type NameOf } from './clip-words';
 import { ConfusionCounts, confusionTable } from './confusion-table';
 import type { Room } from './confusion-window';
+import { errorList } from './error-list';
 import { openLabelDialog } from './label-dialog';
+import { createScrolling, type Scrolling } from './scrolling';
 
 interface EvaluationProps {
   readonly words: Words;
   readonly evaluation: Evaluation;
   readonly counts: ConfusionCounts;
   readonly room: Signal<Room>;
+  readonly scrolling: Scrolling;
   /** Clips that are compared. */
   readonly compared: number;
   readonly clusters: number;
@@ -37,7 +39,6 @@ interface EvaluationProps {
 
 /** So many lines of one kind; the others are counted. */
 const mostSingles = 2;
-const mostErrors = 200;
 
 const figure = (value: string, beside: string, about: string): TemplateResult =>
   html`<div class="score">
@@ -75,42 +76,6 @@ function scores(props: EvaluationProps): TemplateResult {
     ${notes(props).map(
       (note) => html`<p class="evaluation-note">${icon('info', 14)}<span>${note}</span></p>`,
     )}
-  </section>`;
-}
-
-function errorRow(props: EvaluationProps, a: ClipId, b: ClipId): TemplateResult {
-  const { words, clips, nameOf, labels, placeOf, selected, onPair } = props;
-  const one = (id: ClipId): TemplateResult => {
-    const label = labels.get(id) ?? null;
-    const name = nameOf(clips[id]);
-    const title = label === null ? name : `${name} · ${label}`;
-    return html`<span class="error-clip" title=${title}
-      >${label === null ? nothing : labelMark(placeOf(label))}<span>${name}</span
-      ><span class="spoken"> ${label}</span></span
-    >`;
-  };
-  return html`<li>
-    <button
-      type="button"
-      class="error-row"
-      aria-pressed=${String(selected.a === a && selected.b === b)}
-      @click=${() => onPair(a, b)}
-    >
-      ${one(a)}<span class="quiet">${words.t('evaluation.nearest')}</span>${one(b)}
-    </button>
-  </li>`;
-}
-
-function errorList(props: EvaluationProps): TemplateResult {
-  const { words, evaluation } = props;
-  const { errors } = evaluation;
-  const more = errors.length - mostErrors;
-  return html`<section class="evaluation-errors">
-    <h3>${words.t('evaluation.errors', errors.length)}</h3>
-    <ul>
-      ${errors.slice(0, mostErrors).map(({ clip, nearest }) => errorRow(props, clip, nearest))}
-    </ul>
-    ${more > 0 ? html`<p class="quiet">${words.t('compare.apart.more', more)}</p>` : nothing}
   </section>`;
 }
 
@@ -157,9 +122,11 @@ interface Prepared {
   readonly counts: ReadonlySignal<ConfusionCounts | null>;
   readonly places: ReadonlySignal<ReadonlyMap<string, number>>;
   readonly room: Signal<Room>;
+  /** Of the errors. */
+  readonly scrolling: Scrolling;
 }
 
-function panel(context: Context, { counts, places, room }: Prepared): TemplateResult {
+function panel(context: Context, { counts, places, room, scrolling }: Prepared): TemplateResult {
   const { store, language, compareActions } = context;
   const { evaluation, comparison, cut, otherId } = store.compare;
   const words = language.words.value;
@@ -167,7 +134,7 @@ function panel(context: Context, { counts, places, room }: Prepared): TemplateRe
   const found = evaluation.value;
   if (placeOf.size === 0 || !found || !counts.value || found.labelled === 0)
     return empty(words, placeOf.size > 0 && !found);
-  const shown = { evaluation: found, counts: counts.value, room };
+  const shown = { evaluation: found, errors: found.errors, counts: counts.value, room, scrolling };
   return html`${[scores, confusion, errorList].map((block) =>
     block({
       ...shown,
@@ -204,14 +171,17 @@ export function mountEvaluation(place: HTMLElement, context: Context): void {
   const { store } = context;
   const { evaluation } = store.compare;
   const room = signal<Room>({ left: 0, top: 0, width: 0, height: 0 });
+  const height = signal(0);
   const prepared: Prepared = {
     counts: computed(() => evaluation.value && new ConfusionCounts(evaluation.value)),
     places: computed(() => new Map(store.labelNames.value.map((name, index) => [name, index]))),
     room,
+    scrolling: createScrolling(height),
   };
-  new ResizeObserver(() => (room.value = { ...room.peek(), ...confusionRoom(place) })).observe(
-    place,
-  );
+  new ResizeObserver(() => {
+    room.value = { ...room.peek(), ...confusionRoom(place) };
+    height.value = place.clientHeight;
+  }).observe(place);
   mount(place, () => {
     place.setAttribute('aria-label', context.language.words.value.t('evaluation.title'));
     return panel(context, prepared);

@@ -6,7 +6,7 @@ export interface RowWindow {
 }
 
 /** Rows kept beyond either edge, so that a quick scroll shows no gap. */
-const margin = 8;
+const margin = 6;
 
 export function rowWindow(
   count: number,

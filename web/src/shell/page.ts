@@ -239,7 +239,10 @@ function wearTheTheme({ theme }: Context): void {
 
 function speakTheLanguage({ store, language }: Context): void {
   follow(() => {
+    // Even where it stays the same, to set it styles the whole page anew: never with the title.
     document.documentElement.lang = language.words.value.language;
+  });
+  follow(() => {
     const name = store.openClip.value?.source.name;
     document.title = name ? `${name} · Keypose` : 'Keypose';
   });
