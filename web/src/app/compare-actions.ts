@@ -1,15 +1,8 @@
 /** What a person can do while comparing, in verbs; views of the pages Compare and Pair end in these. */
-import { batch, untracked } from '@preact/signals-core';
-import type {
-  Comparer,
-  ComparisonExportKind,
-  ComparisonSettings,
-} from '../engine/comparison-types';
+import { batch } from '@preact/signals-core';
+import type { ComparisonSettings } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
-import { saveBlob } from '../common/save-file';
-import { labelledCut } from './comparing-selection';
 import type { CompareTab, LabelRule, MatrixOrder, Page } from './compare-store';
-import { failureOf } from './failure';
 import type { History } from './history';
 import type { Words } from './i18n/catalogue';
 import { withRename } from './labels';
@@ -34,7 +27,6 @@ export interface CompareActions {
   /** Another clip on the page Pair. */
   readonly addToPair: (id: ClipId) => void;
   readonly removeFromPair: (id: ClipId) => void;
-  readonly exportComparison: (kind: ComparisonExportKind) => void;
 }
 
 /** Clips on one stage, at most. */
@@ -43,20 +35,9 @@ export const mostTogether = 20;
 export interface CompareActionParts {
   readonly store: Store;
   readonly history: History;
-  readonly comparer: Pick<Comparer, 'exportFile'>;
   readonly words: () => Words;
   readonly openClip: (id: ClipId | null) => void;
 }
-
-const fileNames: Readonly<Record<ComparisonExportKind, string>> = {
-  'features-csv': 'features.csv',
-  'features-npy': 'features.npy',
-  'matrix-csv': 'distances.csv',
-  'matrix-npy': 'distances.npy',
-  'tree-newick': 'tree.nwk',
-  'evaluation-csv': 'evaluation.csv',
-  'evaluation-json': 'evaluation.json',
-};
 
 export function createCompareActions(parts: CompareActionParts): CompareActions {
   return new Verbs(parts);
@@ -164,26 +145,6 @@ class Verbs implements CompareActions {
       otherId.value = next;
       alsoIds.value = rest;
     });
-  }
-
-  exportComparison(kind: ComparisonExportKind): void {
-    const { comparer, store } = this.parts;
-    const labelled = untracked(() => labelledCut(store));
-    if (!labelled) return;
-    comparer
-      .exportFile(kind, labelled)
-      .then((blob) => this.save(fileNames[kind], blob))
-      .catch((error: unknown) => {
-        const { t, failure } = this.parts.words();
-        const text = t('toast.error', fileNames[kind], failure(failureOf(error)));
-        store.toast.value = { kind: 'error', text };
-      });
-  }
-
-  private save(fileName: string, blob: Blob): void {
-    saveBlob(fileName, blob);
-    const text = this.parts.words().t('toast.saved', fileName);
-    this.parts.store.toast.value = { kind: 'done', text };
   }
 
   private get state() {

@@ -101,9 +101,9 @@ export function menuButton(menu: Menu): TemplateResult {
       class=${look}
       popovertarget=${id}
       aria-haspopup="menu"
-      aria-label=${text === undefined ? label : `${label} ${text}`}
+      aria-label=${text === undefined || text === label ? label : `${label} ${text}`}
       aria-keyshortcuts=${keys ?? nothing}
-      data-tip=${label}
+      data-tip=${text === label ? nothing : label}
       data-key=${keyText ?? nothing}
     >
       ${face(menu)}

@@ -12,8 +12,10 @@ import {
   type ComparisonSettings,
   type Linkage,
 } from '../engine/comparison-types';
+import { fileProgress } from './file-progress';
 import { saveComparePicture, type PictureFormat, type PictureKind } from './pictures';
 import { createLabelDialog, openLabelDialog } from './label-dialog';
+import { createSetFiles, type FileUnderWay, type SetFiles } from './set-files';
 
 interface BarProps {
   readonly words: Words;
@@ -22,11 +24,14 @@ interface BarProps {
   readonly byHand: boolean;
   /** Why a kind of file cannot be written. */
   readonly barred: Readonly<Record<'comparison' | 'evaluation', string | undefined>>;
+  /** A file of the set that is being written. */
+  readonly file: FileUnderWay | null;
   readonly onSettings: (settings: ComparisonSettings) => void;
   readonly onRule: (rule: LabelRule) => void;
   readonly onPattern: () => void;
   readonly onHand: () => void;
   readonly onExport: (kind: ComparisonExportKind) => void;
+  readonly onCancelFile: () => void;
   readonly onPicture: (kind: PictureKind, format: PictureFormat) => void;
 }
 
@@ -120,11 +125,13 @@ const exportKinds: readonly (readonly ComparisonExportKind[])[] = [
 const pictureKinds: readonly PictureKind[] = ['matrix', 'tree', 'map'];
 const pictureFormats: readonly PictureFormat[] = ['svg', 'png'];
 
-function fileItems({ words: { t }, barred, onExport }: BarProps): MenuItem[] {
+function fileItems({ words: { t }, barred, file, onExport }: BarProps): MenuItem[] {
+  const busy = file ? t('save.busy', file.fileName) : undefined;
   const item = (kind: ComparisonExportKind, apart: boolean): MenuItem => ({
     label: t(`save.${kind}`),
     apart,
-    barred: barred.comparison ?? (kind.startsWith('evaluation') ? barred.evaluation : undefined),
+    barred:
+      busy ?? barred.comparison ?? (kind.startsWith('evaluation') ? barred.evaluation : undefined),
     onChoose: () => onExport(kind),
   });
   return exportKinds.flatMap((kinds, group) =>
@@ -159,10 +166,11 @@ function bar(props: BarProps): TemplateResult {
   return html`${menus.map(
       (menu) =>
         html`<span class="bar-label" aria-hidden="true">${menu.label}</span>${menuButton(menu)}`,
-    )}<span class="bar-gap"></span>${menuButton(exportMenu(props))}`;
+    )}<span class="bar-gap"></span
+    >${fileProgress(props.words, props.file, props.onCancelFile)}${menuButton(exportMenu(props))}`;
 }
 
-function propsOf(context: Context): BarProps {
+function propsOf(context: Context, files: SetFiles): BarProps {
   const { store, compareActions, language } = context;
   const words = language.words.value;
   const { settings, labelRule, handLabels, comparison, evaluation } = store.compare;
@@ -175,21 +183,24 @@ function propsOf(context: Context): BarProps {
       comparison: comparison.value ? undefined : words.t('save.nothing'),
       evaluation: evaluation.value ? undefined : words.t('save.no-labels'),
     },
+    file: files.underWay.value,
     onSettings: (next) => compareActions.setComparisonSettings(next),
     onRule: (rule) => compareActions.setLabelRule(rule),
     onPattern: openLabelDialog,
     onHand: () => compareActions.setTab('table'),
-    onExport: (kind) => compareActions.exportComparison(kind),
+    onExport: (kind) => void files.save(kind),
+    onCancelFile: files.cancel,
     onPicture: (kind, format) => void saveComparePicture(context, kind, format),
   };
 }
 
 export function mountCompareBar(place: HTMLElement, context: Context): void {
   const dialog = createLabelDialog(context);
+  const files = createSetFiles(context);
   place.classList.add('compare-bar');
   place.setAttribute('role', 'group');
   mount(place, () => {
     place.setAttribute('aria-label', context.language.words.value.t('bar.name'));
-    return html`${bar(propsOf(context))}${dialog.template()}`;
+    return html`${bar(propsOf(context, files))}${dialog.template()}`;
   });
 }

@@ -2,7 +2,7 @@
 import { html, nothing, svg, type TemplateResult } from 'lit-html';
 import { Clapperboard } from 'lucide';
 import type { Words } from '../app/i18n/catalogue';
-import { estimateSecondsLeft } from '../app/time-left';
+import { estimateSecondsLeft, timeLeftText } from '../app/time-left';
 import { icon } from '../common/icons';
 
 export interface FilmUnderWay {
@@ -31,23 +31,15 @@ function clapperboard(): TemplateResult {
   </svg>`;
 }
 
-function timeLeft({ t, format }: Words, { done, count, elapsedS }: FilmUnderWay): string {
-  const leftS = estimateSecondsLeft(elapsedS, done, count);
-  if (leftS === null) return '';
-  return leftS < 90
-    ? t('progress.left.seconds', format.integer(Math.max(1, Math.ceil(leftS))))
-    : t('progress.left.minutes', format.integer(Math.ceil(leftS / 60)));
-}
-
 function progress(words: Words, film: FilmUnderWay): TemplateResult {
   const { t, format } = words;
-  const { done, count } = film;
+  const { done, count, elapsedS } = film;
   return html`<div class="film-progress">
     <progress class="bar" max=${count} .value=${done} aria-label=${t('film.title')}></progress>
     <span class="film-count"
       >${t('film.progress', format.integer(done), format.integer(count))}</span
     >
-    <span>${timeLeft(words, film)}</span>
+    <span>${timeLeftText(words, estimateSecondsLeft(elapsedS, done, count))}</span>
   </div>`;
 }
 

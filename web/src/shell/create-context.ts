@@ -32,7 +32,7 @@ export function createContext(): Context {
     history,
     playback: createPlayback(store),
     actions,
-    compareActions: createCompareActions({ store, history, comparer, words, openClip }),
+    compareActions: createCompareActions({ store, history, words, openClip }),
     language,
     theme: createTheme(preferences, matchMedia('(prefers-color-scheme: dark)')),
     panels: createPanels(preferences, (query) => matchMedia(query)),

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Words } from '../app/i18n/catalogue';
 import type { LoadingState, Toast } from '../app/store';
+import { timeLeftText } from '../app/time-left';
 import { iconButton } from '../common/buttons';
 import { icon, type IconName } from '../common/icons';
 
@@ -18,13 +19,6 @@ const toastIcons: Readonly<Record<Toast['kind'], IconName>> = {
   error: 'octagon-x',
   info: 'info',
 };
-
-function timeLeft({ t, format }: Words, seconds: number | null): string {
-  if (seconds === null) return '';
-  if (seconds < 90)
-    return t('progress.left.seconds', format.integer(Math.max(1, Math.ceil(seconds))));
-  return t('progress.left.minutes', format.integer(Math.ceil(seconds / 60)));
-}
 
 /** What is done to how many files, and to how many of them it is done. */
 function progressTexts({ t }: Words, loading: LoadingState): { what: string; done: string } {
@@ -49,7 +43,7 @@ function progressCard({ words, onCancel }: NoticeProps, loading: LoadingState): 
     <div class="notice-line notice-facts">
       <span>${done}</span>
       <span
-        >${loading.searching ? t('progress.searching') : timeLeft(words, loading.secondsLeft)}</span
+        >${loading.searching ? t('progress.searching') : timeLeftText(words, loading.secondsLeft)}</span
       >
     </div>
   </section>`;
