@@ -15,6 +15,7 @@ import { mountTransport } from '../transport/mount-transport';
 import { Drawers } from './drawers';
 import { helpDialog } from './help-dialog';
 import type { Places } from './layout';
+import { followHistory } from './page-history';
 import { showPages } from './pages';
 import { notices } from './toasts';
 import { topBar, type OpenClipPlace, type TopBarProps } from './top-bar';
@@ -27,6 +28,7 @@ export function mountPage(places: Places, context: Context, settings: StageSetti
   mountNotices(places, context);
   showWhatIsDue(places, context);
   showPages(places, context, settings);
+  followHistory(context.store.compare.page);
   speakTheLanguage(context);
   mountStudy(places, context, settings);
 }

@@ -197,6 +197,8 @@ function speak(
   caption: { readonly value: Caption | null },
 ): void {
   follow(() => {
-    if (!store.playback.value.playing) place.textContent = caption.value?.spoken ?? '';
+    const shown = store.compare.page.value === 'study';
+    if (!shown) place.textContent = '';
+    else if (!store.playback.value.playing) place.textContent = caption.value?.spoken ?? '';
   });
 }
