@@ -107,9 +107,9 @@ pub struct Evaluation {
 }
 
 impl Comparison {
-    /// The partition into so many clusters (held within 1 and the number of items).
+    /// The partition into so many clusters, at least 1 and at most the number of items.
     pub fn cut(&self, clusters: usize) -> Cut {
-        let clusters = clusters.clamp(1, self.clips.len().max(1));
+        let clusters = clusters.max(1).min(self.clips.len());
         Cut {
             clusters,
             cluster_of_item: self.tree.cut_by_leaves(clusters, &self.order.leaves),

@@ -7,11 +7,11 @@ use crate::dendrogram::Dendrogram;
 use crate::feature::Vector;
 use crate::settings::CutRule;
 
-/// How many clusters a rule finds, and the criterion of 1, 2, … clusters that says so, where there is
-/// one.
+/// How many clusters a rule finds (at least 1, but 0 without items), and the criterion of 1, 2, …
+/// clusters that says so, where there is one.
 pub(crate) fn clusters(rule: CutRule, vectors: &[Vector], tree: &Dendrogram) -> (usize, Vec<f64>) {
-    match rule {
-        CutRule::Number(clusters) => (clusters.clamp(1, tree.items.max(1)), Vec::new()),
+    let (clusters, bic) = match rule {
+        CutRule::Number(clusters) => (clusters.max(1), Vec::new()),
         CutRule::Bic => {
             let values = bic::bic(vectors, tree);
             (bic::best(&values), values)
@@ -20,5 +20,6 @@ pub(crate) fn clusters(rule: CutRule, vectors: &[Vector], tree: &Dendrogram) -> 
             let heights: Vec<f64> = tree.merges.iter().map(|merge| merge.height).collect();
             (mojena::mojena(&heights, mojena::DEVIATIONS), Vec::new())
         }
-    }
+    };
+    (clusters.min(tree.items), bic)
 }

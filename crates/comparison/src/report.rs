@@ -47,8 +47,9 @@ impl<'a> Subject<'a> {
         self.labels?.of(item)
     }
 
-    /// The tree as Newick, on a line of its own.
+    /// The tree as Newick with its leaves in their order, on a line of its own.
     pub fn newick(&self) -> String {
-        self.comparison.tree.newick(self.names) + "\n"
+        let Comparison { tree, order, .. } = self.comparison;
+        tree.newick(&order.leaves, self.names) + "\n"
     }
 }

@@ -58,16 +58,32 @@ fn newick_adds_up_to_heights_and_quotes_names() {
     let names = ["walk-1.2", "o'clock", "a b", "under_score"];
     let expected = "(('walk-1.2':1,'under_score':1):4,('o''clock':2,'a b':2):3):0;";
     let expected = expected.replace("'walk-1.2'", "walk-1.2");
-    assert_eq!(tree().newick(&names), expected);
+    assert_eq!(tree().newick(&[0, 3, 1, 2], &names), expected);
 }
 
 #[test]
 fn newick_of_little() {
     let nothing = linkage::ward(&[]);
-    assert_eq!(nothing.newick::<&str>(&[]), ";");
+    assert_eq!(nothing.newick::<&str>(&[], &[]), ";");
     let one = linkage::ward(&[[0.0; FEATURE_LENGTH]]);
-    assert_eq!(one.newick(&["(a)"]), "'(a)':0;");
-    assert_eq!(tree().newick(&[""]), "(('':1,3:1):4,(1:2,2:2):3):0;");
+    assert_eq!(one.newick(&[0], &["(a)"]), "'(a)':0;");
+    let leaves = [0, 3, 1, 2];
+    assert_eq!(
+        tree().newick(&leaves, &[""]),
+        "(('':1,3:1):4,(1:2,2:2):3):0;"
+    );
+}
+
+#[test]
+fn newick_stands_in_the_order_of_the_leaves_on_one_line() {
+    let names = ["a", "b\nb", "c", "d"];
+    for (leaves, expected) in [
+        ([0, 3, 1, 2], "((a:1,d:1):4,('b b':2,c:2):3):0;"),
+        ([2, 1, 0, 3], "((c:2,'b b':2):3,(a:1,d:1):4):0;"),
+        ([3, 0, 2, 1], "((d:1,a:1):4,(c:2,'b b':2):3):0;"),
+    ] {
+        assert_eq!(tree().newick(&leaves, &names), expected);
+    }
 }
 
 /// Heights 1, 1, 1, 9: mean 3, squares 4 + 4 + 4 + 36 = 48, deviation sqrt(48 / 3) = 4. The limit is

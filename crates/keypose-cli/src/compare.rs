@@ -13,16 +13,19 @@ use crate::surveys::Surveys;
 /// Compares all files that can be compared. Returns whether every file could be read.
 ///
 /// # Errors
-/// A path that does not exist, options that cannot be or do not go together, or output that cannot be
+/// Options that cannot be or do not go together, or output that cannot be
 /// written.
 pub fn write(wanted: &Compare, threads: usize) -> Result<bool> {
     let settings = wanted.settings();
     settings.validate()?;
     let all = Surveys::of(&wanted.paths, &wanted.overrides, threads)?;
     let labels = wanted.labels.as_ref().map(|rule| {
-        let paths = all.files.iter().map(|file| rule.label(&file.path));
+        let paths = all.files.iter().map(|file| rule.label(&file.place));
         Labels::new(paths)
     });
+    if let Some(labels) = &labels {
+        report_unlabelled(labels);
+    }
     let comparison = Comparison::of(all.features(), settings).context("comparing")?;
     let subject = Subject {
         names: &all.names,
@@ -34,6 +37,15 @@ pub fn write(wanted: &Compare, threads: usize) -> Result<bool> {
     out.write_all(text(wanted, &all, &subject).as_bytes())?;
     out.flush()?;
     Ok(all.all_good)
+}
+
+/// Says on standard error how many clips no label was found for, if any.
+fn report_unlabelled(labels: &Labels) {
+    let all = labels.of_item.len();
+    let without = all - labels.of_item.iter().flatten().count();
+    if without > 0 {
+        eprintln!("{without} of {all} clips have no label; they are left out of the scores");
+    }
 }
 
 fn text(wanted: &Compare, all: &Surveys, subject: &Subject) -> String {

@@ -18,7 +18,12 @@ impl Display for CompareText<'_> {
         } = self.0;
         let (clips, clusters) = (names.len(), cut.clusters);
         let pairs = comparison.distances.pairs();
-        writeln!(f, "{clips} clips, {pairs} pairs, {clusters} clusters")?;
+        let counts = [
+            counted(clips, "clip"),
+            counted(pairs, "pair"),
+            counted(clusters, "cluster"),
+        ];
+        writeln!(f, "{}", counts.join(", "))?;
         for cluster in 0..clusters {
             let leaves = comparison.order.leaves.iter();
             let members = leaves.filter(|item| cut.cluster_of_item[**item] == cluster);
@@ -42,13 +47,13 @@ impl CompareText<'_> {
         } = self.0;
         let nearest = comparison.one_nearest(&labels.of_item);
         let scores = evaluation::clustering(&cut.cluster_of_item, &labels.of_item);
-        let unlabelled = names.len() - nearest.labelled;
-        writeln!(
-            f,
-            "  labels    {} of {} clips, {unlabelled} clips without",
-            labels.names.len(),
-            nearest.labelled
-        )?;
+        let (different, labelled) = (labels.names.len(), nearest.labelled);
+        let of = counted(labelled, "clip");
+        let without = counted(names.len() - labelled, "clip");
+        writeln!(f, "  labels    {different} of {of}, {without} without")?;
+        if labelled == 0 {
+            return Ok(());
+        }
         writeln!(
             f,
             "  nearest   {} of {} right, accuracy {:.3} of at most {:.3}",
@@ -62,5 +67,12 @@ impl CompareText<'_> {
             "  clusters  recall {:.3} precision {:.3} F {:.3}",
             scores.recall, scores.precision, scores.f
         )
+    }
+}
+
+fn counted(count: usize, noun: &str) -> String {
+    match count {
+        1 => format!("1 {noun}"),
+        _ => format!("{count} {noun}s"),
     }
 }

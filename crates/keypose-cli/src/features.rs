@@ -13,7 +13,7 @@ use crate::surveys::Surveys;
 /// Writes the features of all files that can be compared. Returns whether every file could be read.
 ///
 /// # Errors
-/// A path that does not exist, an option that cannot be, or output that cannot be written.
+/// An option that cannot be, or output that cannot be written.
 pub fn write(wanted: &Features, threads: usize) -> Result<bool> {
     let all = Surveys::of(&wanted.paths, &wanted.overrides, threads)?;
     let distance = wanted.distance();

@@ -120,12 +120,12 @@ impl Work<'_> {
         show: impl Fn(&Study) -> R + Sync,
         mut emit: impl FnMut(&mut dyn Write, R) -> Result<()>,
     ) -> Result<bool> {
-        let files = files::collect(self.paths)?;
-        let progress = progress_bar(files.len());
+        let inputs = files::collect(self.paths);
+        let mut all_good = inputs.report();
+        let progress = progress_bar(inputs.files.len());
         let mut out = BufWriter::new(io::stdout());
-        let mut all_good = true;
         let study = |file: &_| Study::of(file, &self.wishes, &self.options).map(|s| show(&s));
-        in_order::for_each(&files, self.threads, study, |result| {
+        in_order::for_each(&inputs.files, self.threads, study, |result| {
             progress.inc(1);
             match result {
                 Ok(shown) => emit(&mut out, shown),

@@ -18,8 +18,8 @@ use crate::{in_order, progress_bar};
 /// A file that can be compared.
 #[derive(Debug)]
 pub struct Surveyed {
-    /// Where it is.
-    pub path: PathBuf,
+    /// Where it is from the root.
+    pub place: PathBuf,
     /// The SHA-256 of its bytes, in hexadecimal.
     pub sha256: String,
     /// Which performer is compared: the first human one.
@@ -47,18 +47,18 @@ impl Surveys {
     /// Surveys all files with `threads` threads (0: one for each processor).
     ///
     /// # Errors
-    /// A path that does not exist, or an option that cannot be.
+    /// An option that cannot be.
     pub fn of(paths: &[PathBuf], overrides: &Overrides, threads: usize) -> Result<Self> {
         let wishes = Wishes::new(overrides)?;
-        let files = files::collect(paths)?;
-        let progress = progress_bar(files.len());
+        let inputs = files::collect(paths);
         let mut all = Self {
-            all_good: true,
+            all_good: inputs.report(),
             ..Self::default()
         };
-        let mut next = files.iter();
+        let progress = progress_bar(inputs.files.len());
+        let mut next = inputs.files.iter();
         in_order::for_each(
-            &files,
+            &inputs.files,
             threads,
             |file| survey(file, &wishes),
             |result| {
@@ -124,7 +124,7 @@ fn survey(file: &InputFile, wishes: &Wishes) -> Result<Result<Surveyed, &'static
     Ok(match found {
         None => Err(reason(&survey)),
         Some((performer, found, comparable)) => Ok(Surveyed {
-            path: file.path.clone(),
+            place: file.place.clone(),
             sha256,
             performer,
             frames: found.frames,

@@ -1,4 +1,4 @@
-//! A tree and the names of its items in; Newick text out.
+//! A tree, the order of its leaves and the names of its items in; Newick text out.
 
 use super::Dendrogram;
 use std::fmt::Write;
@@ -14,11 +14,13 @@ enum Piece {
 
 impl Dendrogram {
     /// The tree as Newick: the branch lengths add up to the height of a merge on every way from it
-    /// down to its leaves. An item without a name bears its number. Names of more than letters,
-    /// digits, `.`, `-` and `+` are quoted, a quote in them doubled (Felsenstein's rules; an
-    /// underscore without quotes would mean a blank).
+    /// down to its leaves, which stand in the order of `leaves` (one that the tree allows). An item
+    /// without a name bears its number. Names of more than letters, digits, `.`, `-` and `+` are
+    /// quoted, a quote in them doubled (Felsenstein's rules; an underscore without quotes would mean
+    /// a blank); a sign that does not print, as the end of a line, becomes a blank.
     #[must_use]
-    pub fn newick<S: AsRef<str>>(&self, names: &[S]) -> String {
+    pub fn newick<S: AsRef<str>>(&self, leaves: &[usize], names: &[S]) -> String {
+        let places = self.places(leaves);
         let mut text = String::new();
         let mut pieces = vec![Piece::Text(";")];
         if let Some(root) = self.root() {
@@ -31,6 +33,9 @@ impl Dendrogram {
                 Piece::Cluster(cluster, above) => {
                     let length = (above - self.height(cluster)).max(0.0);
                     match self.children(cluster) {
+                        Some((left, right)) if places[right] < places[left] => {
+                            self.open(&mut pieces, cluster, (right, left), length);
+                        }
                         Some(children) => self.open(&mut pieces, cluster, children, length),
                         None => write_leaf(&mut text, names, cluster, length),
                     }
@@ -47,6 +52,18 @@ impl Dendrogram {
         pieces.push(Piece::Text(","));
         pieces.push(Piece::Cluster(children.0, height));
         pieces.push(Piece::Text("("));
+    }
+
+    /// Where the first leaf of every item and cluster stands.
+    fn places(&self, leaves: &[usize]) -> Vec<usize> {
+        let mut places = vec![0; self.items];
+        for (place, &item) in leaves.iter().enumerate() {
+            places[item] = place;
+        }
+        for merge in &self.merges {
+            places.push(places[merge.left].min(places[merge.right]));
+        }
+        places
     }
 
     fn height(&self, cluster: usize) -> f64 {
@@ -70,5 +87,6 @@ fn escaped(name: &str) -> String {
     if !name.is_empty() && name.chars().all(is_plain) {
         return name.to_owned();
     }
-    format!("'{}'", name.replace('\'', "''"))
+    let name = name.replace(char::is_control, " ").replace('\'', "''");
+    format!("'{name}'")
 }

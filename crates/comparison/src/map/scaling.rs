@@ -68,11 +68,14 @@ pub(super) fn spread(values: &[f64]) -> f64 {
     }
 }
 
+/// Sizes that differ by less than this part are equal: of two clips both are, but for rounding.
+const EQUAL: f64 = 1e-9;
+
 /// Each axis turned so that its largest coordinate by size, of equals the first, is positive.
 pub(super) fn turned_to_positive(mut places: Vec<Place>) -> Vec<Place> {
     for axis in 0..2 {
         let largest = places.iter().fold(0.0_f64, |largest, place| {
-            match place[axis].abs() > largest.abs() {
+            match place[axis].abs() > largest.abs() * (1.0 + EQUAL) {
                 true => place[axis],
                 false => largest,
             }

@@ -36,9 +36,14 @@ pub fn label_list(subject: &Subject, labels: &Labels) -> Json {
     Json::list((0..subject.names.len()).map(|item| Json::from(labels.of(item))))
 }
 
-/// `evaluation`: the clips held against their nearest ones, the cut against the labels.
+/// The most labels whose confusion is written as a table: of n labels that is n² numbers.
+const MOST_IN_A_TABLE: usize = 256;
+
+/// `evaluation`: the clips held against their nearest ones, the cut against the labels. A score is
+/// `null` where no clip has a label.
 pub fn scores(subject: &Subject, labels: &Labels, nearest: &OneNearest) -> Json {
     let clustering = evaluation::clustering(&subject.cut.cluster_of_item, &labels.of_item);
+    let score = |value: f64| Json::from((nearest.labelled > 0).then_some(value));
     let name = |item: usize| subject.names[item].as_str();
     let error = |(clip, near): &(usize, usize)| {
         Json::object([
@@ -47,18 +52,19 @@ pub fn scores(subject: &Subject, labels: &Labels, nearest: &OneNearest) -> Json 
         ])
     };
     Json::object([
-        ("accuracy", nearest.accuracy.into()),
-        ("best_reachable", nearest.best_reachable.into()),
+        ("accuracy", score(nearest.accuracy)),
+        ("best_reachable", score(nearest.best_reachable)),
         ("labelled", nearest.labelled.into()),
         ("correct", nearest.correct.into()),
-        ("recall", clustering.recall.into()),
-        ("precision", clustering.precision.into()),
-        ("f", clustering.f.into()),
+        ("recall", score(clustering.recall)),
+        ("precision", score(clustering.precision)),
+        ("f", score(clustering.f)),
         (
             "labels",
             Json::list(labels.names.iter().map(String::as_str)),
         ),
         ("confusion", confusion(nearest, labels.names.len())),
+        ("confusion_cells", confusion_cells(nearest)),
         ("errors", Json::list(nearest.errors.iter().map(error))),
         (
             "single",
@@ -72,13 +78,22 @@ pub fn scores(subject: &Subject, labels: &Labels, nearest: &OneNearest) -> Json 
     ])
 }
 
-/// Labels × labels: own label, label of the nearest.
+/// Labels × labels: own label, label of the nearest; `null` of too many labels for a table.
 fn confusion(nearest: &OneNearest, labels: usize) -> Json {
+    if labels > MOST_IN_A_TABLE {
+        return Json::Null;
+    }
     let mut table = vec![vec![0; labels]; labels];
     for field in &nearest.confusion {
         table[field.own][field.nearest] = field.count;
     }
     Json::list(table.into_iter().map(Json::list))
+}
+
+/// Own label, label of the nearest and their number, of each field that is not 0.
+fn confusion_cells(nearest: &OneNearest) -> Json {
+    let cells = nearest.confusion.iter();
+    Json::list(cells.map(|cell| Json::list([cell.own, cell.nearest, cell.count])))
 }
 
 /// One row for each clip: its label, its cluster, and the clip nearest to it; of a clip with a label the
