@@ -16,6 +16,28 @@ const styleOf = (page: Page, selector: string, names: readonly string[]): Promis
       return all.map((name) => style.getPropertyValue(name));
     }, names);
 
+type Points = readonly (readonly [number, number])[];
+
+/** Fingers of a real screen, as the browser meets them. */
+async function fingers(page: Page) {
+  const session = await page.context().newCDPSession(page);
+  const send = (type: 'touchStart' | 'touchMove' | 'touchEnd', points: Points) =>
+    session.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: points.map(([x, y], id) => ({ x, y, id })),
+    });
+  const drag = async (from: Points, to: Points): Promise<void> => {
+    await send('touchStart', from);
+    for (let n = 1; n <= 8; n++)
+      await send(
+        'touchMove',
+        from.map(([x, y], k) => [x + ((to[k][0] - x) * n) / 8, y + ((to[k][1] - y) * n) / 8]),
+      );
+    await send('touchEnd', []);
+  };
+  return { send, drag };
+}
+
 test('720 wide, as a page at 200 %: the name of the open clip is whole', async ({ app, page }) => {
   await page.setViewportSize({ width: 720, height: 450 });
   await app.openWith(...files);
@@ -85,5 +107,39 @@ test.describe('with fingers', () => {
       );
     expect(small).toEqual([]);
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+  });
+
+  test('a swipe and a pinch over the timeline leave the moment; a tap and a drag move it', async ({
+    app,
+    page,
+  }) => {
+    await app.openWith(...files);
+    const box = (await page.locator('.timeline-area').boundingBox())!;
+    const [x, y] = [box.x + 130, box.y + 90];
+    const touch = await fingers(page);
+    await touch.drag([[x, y]], [[x, y - 60]]);
+    await app.expectFrame(0);
+    const pair = (apart: number) => [[x - apart, y - 60] as const, [x + apart, y - 60] as const];
+    await touch.drag(pair(20), pair(80));
+    await expect(page.getByRole('slider', { name: 'Overview' })).toHaveAttribute(
+      'aria-valuetext',
+      /^[1-9]|^0\.[1-9]/,
+    );
+    await app.expectFrame(0);
+    await page.touchscreen.tap(x, y - 60);
+    await expect.poll(() => app.frame()).toBeGreaterThan(0);
+    const tapped = await app.frame();
+    await touch.drag([[x, y - 60]], [[x + 40, y - 60]]);
+    await expect.poll(() => app.frame()).toBeGreaterThan(tapped);
+  });
+
+  test('a long press on an icon names it', async ({ app, page }) => {
+    await app.openWith(...files);
+    const box = (await app.button('Next keypose').boundingBox())!;
+    const touch = await fingers(page);
+    await touch.send('touchStart', [[box.x + 10, box.y + 10]]);
+    await expect(page.locator('.tip', { hasText: 'Next keypose' })).toBeVisible();
+    await touch.send('touchEnd', []);
+    await expect(page.locator('.tip', { hasText: 'Next keypose' })).toBeHidden();
   });
 });

@@ -15,6 +15,12 @@ export interface ExportProps {
 const contents = ['keyposes', 'candidates', 'traces'] as const;
 const forms = ['csv', 'json'] as const;
 
+/** What is typed, as `--csv`, stays in one piece. */
+const withCommands = (text: string): unknown[] =>
+  text
+    .split(/(keypose keyposes|--[a-z]+)/)
+    .map((piece, index) => (index % 2 === 1 ? html`<code>${piece}</code>` : piece));
+
 export function exportSection({ words: { t }, clip, onExport }: ExportProps): TemplateResult {
   const button = (
     content: (typeof contents)[number],
@@ -43,6 +49,6 @@ export function exportSection({ words: { t }, clip, onExport }: ExportProps): Te
     body: html`<ul class="exports">
         ${contents.map(row)}
       </ul>
-      <p class="quiet">${t('export.same')}</p>`,
+      <p class="quiet">${withCommands(t('export.same'))}</p>`,
   });
 }

@@ -36,6 +36,8 @@ interface Place {
 interface Press extends Place {
   readonly kind: 'scrub' | 'range';
   readonly frame: number;
+  /** Its end without a drag goes to the frame. A finger may be the first of two, or turn the page. */
+  readonly late: boolean;
   dragged: boolean;
 }
 
@@ -75,8 +77,9 @@ export class Gestures {
     const onFlag = event.target instanceof Element && event.target.closest('.playhead') !== null;
     const kind = this.ground.isRuler(place.y) && !onFlag ? 'range' : 'scrub';
     const frame = this.ground.momentAt(place.x, place.y, event.target) ?? axis.frameAt(place.x);
-    this.press = { ...place, kind, frame, dragged: false };
-    if (kind === 'scrub' && !onFlag) this.events.onSeek(frame);
+    const late = kind === 'range' || (event.pointerType === 'touch' && !onFlag);
+    this.press = { ...place, kind, frame, late, dragged: false };
+    if (!late && !onFlag) this.events.onSeek(frame);
   }
 
   private move(event: PointerEvent): void {
@@ -99,7 +102,7 @@ export class Gestures {
     this.touches.lift(event.pointerId);
     const { press } = this;
     this.press = null;
-    if (press?.kind === 'range' && !press.dragged && event.type === 'lostpointercapture')
+    if (press?.late && !press.dragged && event.type === 'lostpointercapture')
       this.events.onSeek(press.frame);
   }
 
