@@ -1,5 +1,5 @@
-import { expect, test } from 'vitest';
-import { filmCodecs } from './film-codec';
+import { afterEach, expect, test, vi } from 'vitest';
+import { chooseCodec, filmCodecs } from './film-codec';
 import { filmShape } from './film-shape';
 
 const codecOf = (height: number, rate_hz: number): string =>
@@ -28,4 +28,25 @@ test('every picture is to be as good as the others; else so many bits; VP8 stand
     ['V_VP9', 'vp09.00.31.08', 'variable'],
     ['V_VP8', 'vp8', 'variable'],
   ]);
+});
+
+afterEach(() => vi.unstubAllGlobals());
+
+test('the player is asked before the encoder; a kind of encoding that a browser does not know is skipped', async () => {
+  const asked: string[] = [];
+  const canPlayType = (): string => {
+    asked.push('player');
+    return '';
+  };
+  vi.stubGlobal('document', { createElement: () => ({ canPlayType }) });
+  vi.stubGlobal('VideoEncoder', {
+    isConfigSupported: ({ bitrateMode }: VideoEncoderConfig) => {
+      asked.push(String(bitrateMode));
+      return bitrateMode === 'quantizer'
+        ? Promise.reject(new TypeError('unknown'))
+        : Promise.resolve({ supported: true });
+    },
+  });
+  expect((await chooseCodec(filmShape(720, 30)))?.config.bitrateMode).toBe('variable');
+  expect(asked).toEqual(['player', 'quantizer', 'variable']);
 });

@@ -64,6 +64,8 @@ export const hasEncoder = (): boolean =>
 
 /** null: it encodes no film of this shape. */
 export async function chooseCodec(shape: FilmShape): Promise<FilmCodec | null> {
+  // WebKitGTK sets up its media library for a player only: an encoder that is asked before ends the page.
+  document.createElement('video').canPlayType('video/webm');
   for (const codec of filmCodecs(shape)) {
     const { supported } = await VideoEncoder.isConfigSupported(codec.config).catch(() => ({
       supported: false,
