@@ -1,7 +1,12 @@
 // The browser tests: tests/e2e and tests/parity, in Chromium, against the built app.
 import { createHash } from 'node:crypto';
 import { defineConfig } from '@playwright/test';
-import { chromiumArguments, findChromium, flatArguments } from './scripts/chromium.mjs';
+import {
+  chromiumArguments,
+  findChromium,
+  findHeadlessShell,
+  flatArguments,
+} from './scripts/chromium.mjs';
 
 /** KEYPOSE_PORT, or a port of this folder's own, so that several clones can be tested at once. */
 function port(): number {
@@ -24,17 +29,19 @@ export default defineConfig({
   outputDir: 'test-results',
   fullyParallel: true,
   forbidOnly: !!process.env.CI,
+  // A machine may stall; whoever works on a test is told of every failure, and the report of all that was tried again.
+  retries: process.env.CI ? 1 : 0,
   workers: 2,
-  timeout: 60_000,
   // Two slow cores, shared: generous, since nothing waits longer than it has to.
-  expect: { timeout: 15_000 },
+  timeout: 120_000,
+  expect: { timeout: 30_000 },
   reporter: [['list']],
   use: {
     baseURL: address,
     viewport: { width: 1440, height: 900 },
     locale: 'en-GB',
     colorScheme: 'light',
-    actionTimeout: 15_000,
+    actionTimeout: 30_000,
     // Without its film, which costs as much as the tests.
     trace: { mode: 'retain-on-failure', screenshots: false },
   },
@@ -47,7 +54,7 @@ export default defineConfig({
     {
       name: 'flat',
       testIgnore: drawn,
-      use: { launchOptions: { executablePath: findChromium(), args: flatArguments } },
+      use: { launchOptions: { executablePath: findHeadlessShell(), args: flatArguments } },
     },
   ],
   webServer: {

@@ -9,7 +9,7 @@ const extension = process.platform === 'win32' ? '.exe' : '';
 /** Where it is, or would be. */
 function commandPath(): string {
   const target = process.env['CARGO_TARGET_DIR'] ?? join(root, 'target');
-  return join(target, 'release', `keypose${extension}`);
+  return join(target, 'debug', `keypose${extension}`);
 }
 
 export const isCommandBuilt = (): boolean => existsSync(commandPath());
@@ -18,7 +18,7 @@ export const isCommandBuilt = (): boolean => existsSync(commandPath());
 export function runCommand(args: readonly string[], folder = root): string | null {
   const command = commandPath();
   if (!isCommandBuilt()) {
-    process.stderr.write(`skipped: no ${command} (cargo build --release -p keypose-cli)\n`);
+    process.stderr.write(`skipped: no ${command} (cargo build -p keypose-cli)\n`);
     return null;
   }
   const result = spawnSync(command, args, { cwd: folder, encoding: 'utf8', maxBuffer: 2 ** 28 });
