@@ -5,10 +5,11 @@ import { mostTogether } from '../app/compare-actions';
 import type { Context } from '../app/context';
 import type { Words } from '../app/i18n/catalogue';
 import { iconButton } from '../common/buttons';
+import { clipName } from '../common/clip-name';
 import { element } from '../common/element';
 import { icon } from '../common/icons';
 import { mount } from '../common/mount';
-import type { ClipId } from '../engine/types';
+import type { ClipId, ClipResult } from '../engine/types';
 import { clipList, type ListedClip } from './clip-list';
 import { shortName } from './pair-clips';
 import { who } from './who';
@@ -113,23 +114,20 @@ function listed({ store }: Context, words: Words, chosen: readonly ClipId[]): Li
     .map(({ id, source, result }) => ({
       id,
       name: shortName(source.name),
-      about: [
-        store.qualifiers.value.get(id) ?? '',
-        result
-          ? words.t(
-              'unit.seconds',
-              words.format.decimal((result.frames - 1) * result.frameTimeS, 2),
-            )
-          : '',
-      ]
-        .filter((text) => text !== '')
-        .join(' · '),
+      qualifier: store.qualifiers.value.get(id) ?? '',
+      about: lengthText(words, result),
       place: places.includes(id) ? places.indexOf(id) : null,
       chosen: chosen.includes(id),
     }));
 }
 
-function nameOf({ store }: Context, id: ClipId | null): string | null {
+function lengthText({ t, format }: Words, result: ClipResult | null): string {
+  if (!result) return '';
+  return t('unit.seconds', format.decimal((result.frames - 1) * result.frameTimeS, 2));
+}
+
+function nameOf({ store }: Context, id: ClipId | null): TemplateResult | null {
   const clip = id === null ? undefined : store.clips.value[id];
-  return clip && !clip.removed ? shortName(clip.source.name) : null;
+  if (!clip || clip.removed) return null;
+  return clipName(shortName(clip.source.name), store.qualifiers.value.get(clip.id));
 }

@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit-html';
 import { live } from 'lit-html/directives/live.js';
 import type { Words } from '../app/i18n/catalogue';
 import { keptBeside } from '../common/beside';
+import { clipName } from '../common/clip-name';
 import { icon } from '../common/icons';
 import type { ClipId } from '../engine/types';
 import { performerLetter } from '../figure/performer-letter';
@@ -11,6 +12,7 @@ import { who } from './who';
 export interface ListedClip {
   readonly id: ClipId;
   readonly name: string;
+  readonly qualifier: string;
   readonly about: string;
   /** Its place on the page from 0, A; null: it is not there. */
   readonly place: number | null;
@@ -60,7 +62,7 @@ function row(clip: ListedClip, { several, onChoose }: ClipListProps): TemplateRe
     <span class="pair-list-mark">
       ${clip.place === null ? nothing : who(performerLetter(clip.place), clip.place)}
     </span>
-    <span class="pair-list-name">${clip.name}</span>
+    <span class="pair-list-name">${clipName(clip.name, clip.qualifier)}</span>
     <span class="pair-list-about">${clip.about}</span>
     ${clip.chosen ? icon('check', 14) : nothing}
   </button>`;
@@ -69,7 +71,9 @@ function row(clip: ListedClip, { several, onChoose }: ClipListProps): TemplateRe
 function rowsOf(props: ClipListProps): TemplateResult {
   const { t } = props.words;
   const wanted = props.filter.trim().toLowerCase();
-  const found = props.clips.filter(({ name }) => name.toLowerCase().includes(wanted));
+  const found = props.clips.filter(({ name, qualifier }) =>
+    `${qualifier} ${name}`.toLowerCase().includes(wanted),
+  );
   const hidden = found.length - mostRows;
   return html`
     ${found.slice(0, mostRows).map((clip) => row(clip, props))}

@@ -1,4 +1,5 @@
 /** A wish and a moment of the pair's clock in; what each stage shows and each caption says then out. */
+import { qualifiedName } from '../app/names';
 import type { FilmCaption } from '../film/film-canvas';
 import { frameAt } from '../player/clock';
 import { nearestIndex } from '../player/neighbours';
@@ -78,7 +79,7 @@ export class FilmMoments {
     return {
       letter: clip.letter,
       place: clip.place,
-      name: clip.name,
+      name: qualifiedName(clip.name, clip.qualifier),
       label: labels[clip.place],
       time: t('unit.seconds', format.decimal(frame * clip.frameTimeS, 2)),
       keypose: title,

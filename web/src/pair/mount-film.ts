@@ -13,6 +13,7 @@ import { filmButton } from './film-button';
 import { createFilmMaker, type FilmMaker } from './film-maker';
 import { filmPanel, filmPanelId } from './film-panel';
 import { filmWish, stretchOf } from './film-wish';
+import { loopTimes } from './loop-frames';
 import type { PairStages } from './mount-stages';
 import type { PairState } from './pair-state';
 
@@ -97,11 +98,11 @@ function waitsFor(
 }
 
 /** "The whole pair · 0.5× speed". */
-function aboutOf({ t, format }: Words, { moment }: PairState): string[] {
+function aboutOf({ t, format }: Words, { moment, alignment }: PairState): string[] {
   const { loop, speed } = moment.value;
-  const seconds = (value: number): string => format.decimal(value, 2);
+  const times = loop && loopTimes(loop, alignment.value).map((timeS) => format.decimal(timeS, 2));
   return [
-    loop ? t('film.loop', seconds(loop.fromS), seconds(loop.toS)) : t('film.all'),
+    times ? t('film.loop', ...times) : t('film.all'),
     ...(speed === 1 ? [] : [t('film.speed', String(speed))]),
   ];
 }

@@ -8,6 +8,7 @@ import type { StageSettings } from '../study/mount-stage';
 import { mountClipChoice } from './clip-choice';
 import { explanationOf } from './distance-text';
 import { distanceSections } from './distance-sections';
+import { loopTimes } from './loop-frames';
 import { mountFilm } from './mount-film';
 import { mountRows } from './mount-rows';
 import { mountStages } from './mount-stages';
@@ -122,6 +123,7 @@ function mountTransport(place: HTMLElement, { language }: Context, state: PairSt
       words,
       moment,
       timesS: [timeOf(0), timeOf(1)],
+      rangeS: moment.loop && loopTimes(moment.loop, state.alignment.value),
       atStart: moment.pairS <= 0,
       atEnd: moment.pairS >= state.alignment.value.durationS,
       hasEarlierKeypose: (a?.keyposes[0] ?? Infinity) < (moment.frames[0] ?? 0),
@@ -132,7 +134,7 @@ function mountTransport(place: HTMLElement, { language }: Context, state: PairSt
       onKeypose: (direction) => clock.keypose(0, a?.keyposes ?? new Int32Array(), direction),
       onSpeed: (speed) => clock.setSpeed(speed),
       onLoop: () => clock.toggleLoop(),
-      onLoopClear: () => clock.clearLoop(),
+      onLoopClear: () => clock.setLoop(null),
       onZoom: (way) => state.rows.zoom(way),
     });
   });

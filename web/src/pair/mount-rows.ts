@@ -1,40 +1,34 @@
 /** The state of the pair page in; its rows under the stage out: strips, pins, speeds, ribbon, ahead, differences. */
-import { computed, signal, type ReadonlySignal } from '@preact/signals-core';
+import { computed, signal } from '@preact/signals-core';
 import { html, nothing } from 'lit-html';
 import type { Context } from '../app/context';
 import { element } from '../common/element';
 import { follow, mount } from '../common/mount';
 import { keyposeText, timelineText } from '../study/study-text';
 import { createKeyposePoses, type PoseOwner } from '../study/keypose-poses';
-import type { Axis } from '../timeline/axis';
 import { watchPixelRatio } from '../timeline/canvas';
 import { layoutPins } from '../timeline/pin-layout';
 import { PinRow } from '../timeline/pin-row';
 import { aheadOutline } from './ahead';
 import { differenceShades } from './difference';
 import { drawDifference } from './difference-canvas';
+import { rangeOf } from './loop-frames';
+import { showLoop } from './mount-loop';
+import { showSpans } from './mount-spans';
 import type { PairClip } from './pair-clips';
 import { pairGraph, ribbonTimes, type GraphClip } from './pair-graph';
 import { PairPlayhead } from './pair-playhead';
 import type { PairState } from './pair-state';
 import { PairStrip } from './pair-strip';
 import { keyposeLines, matchingLines } from './ribbon';
-import { besideFlag, ribbonLabels, ribbonTicks } from './ribbon-labels';
+import { flagCover, ribbonLabels, ribbonTicks, tabCovers, uncovered } from './ribbon-labels';
 import { rowLabels } from './row-labels';
 import { alignmentText, speedAt, warpingText } from './row-words';
 import { axesOf, rows, ROWS_HEIGHT, type RowPlace } from './rows-layout';
 import { listenToRows } from './rows-pointer';
 import { speedOutline } from './speed-outline';
 import { pairYaw } from './stands';
-
-/** A and B with their axes; null while there are fewer. */
-export interface Two {
-  readonly a: PairClip;
-  readonly b: PairClip;
-  readonly axes: readonly [Axis, Axis];
-}
-
-export type TwoSignal = ReadonlySignal<Two | null>;
+import type { Two, TwoSignal } from './two';
 
 export function mountRows(place: HTMLElement, context: Context, state: PairState): void {
   const gutter = element('div', 'row-gutter');
@@ -56,6 +50,7 @@ export function mountRows(place: HTMLElement, context: Context, state: PairState
   });
   showLabels(gutter, context, state);
   showGraph(area, context, state, two);
+  const raiseTabs = showLoop(area, context, state, two);
   showTimes(area, context, state, two);
   showWarping(area, context, state);
   showDifference(area, context, state, two);
@@ -63,7 +58,9 @@ export function mountRows(place: HTMLElement, context: Context, state: PairState
     showStrip(area, clip, context, state, two);
     showPins(area, clip, context, state, two);
   }
+  showSpans(area, context, state, two);
   showPlayhead(area, context, state, two);
+  raiseTabs();
   listenToRows(area, state, two);
 }
 
@@ -112,7 +109,7 @@ function showGraph(area: HTMLElement, context: Context, state: PairState, two: T
   });
 }
 
-/** The times at the ribbon's edges; those under a flag of the playhead give way. */
+/** The times at the ribbon's edges; those under a flag of the playhead or a tab of the loop give way. */
 function showTimes(area: HTMLElement, { language }: Context, state: PairState, two: TwoSignal) {
   const place = element('div', 'pair-graph-place');
   area.append(place);
@@ -129,7 +126,13 @@ function showTimes(area: HTMLElement, { language }: Context, state: PairState, t
     const shown = two.value;
     if (!shown) return html``;
     const { frames } = state.moment.value;
-    const [a, b] = labels.value.map((all, i) => besideFlag(all, shown.axes[i].x(frames[i] ?? 0)));
+    const { loop } = state.loop.value;
+    const [a, b] = ([0, 1] as const).map((i) => {
+      const axis = shown.axes[i];
+      const range = loop && rangeOf(i, loop, state.alignment.value, shown);
+      const tabs = range ? tabCovers(axis.x(range.a), axis.x(range.b)) : [];
+      return uncovered(labels.value[i], [flagCover(axis.x(frames[i] ?? 0)), ...tabs]);
+    });
     return ribbonTimes(shown.axes[0].width, [a, b]);
   });
 }

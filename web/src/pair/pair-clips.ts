@@ -13,6 +13,8 @@ export interface PairClip {
   readonly letter: string;
   /** File name without its ending. */
   readonly name: string;
+  /** What tells it from clips of the same name; empty where there are none. */
+  readonly qualifier: string;
   readonly frames: number;
   readonly frameTimeS: number;
   readonly result: ClipResult;
@@ -38,7 +40,8 @@ export function followPairClips(store: Store): ReadonlySignal<readonly PairClip[
     // Elsewhere nothing is fetched for this page.
     const ids = store.compare.page.value === 'pair' ? selectedIds(store) : [];
     const present = ids.filter((id) => clips[id] && !clips[id].removed);
-    const all = present.map((id, place) => pairClip(clips[id], place));
+    const qualifiers = store.qualifiers.value;
+    const all = present.map((id, place) => pairClip(clips[id], place, qualifiers.get(id) ?? ''));
     const unread = all.indexOf(null);
     const now = (unread < 0 ? all : all.slice(0, unread)).filter((clip) => clip !== null);
     const same = now.length === before.length && now.every((clip, i) => isSame(clip, before[i]));
@@ -47,7 +50,7 @@ export function followPairClips(store: Store): ReadonlySignal<readonly PairClip[
   });
 }
 
-function pairClip({ id, source, result }: Clip, place: number): PairClip | null {
+function pairClip({ id, source, result }: Clip, place: number, qualifier: string): PairClip | null {
   if (!result || result.performers.length === 0) return null;
   const human = result.performers.findIndex(({ body }) => body.kind === 'human');
   const performerIndex = Math.max(0, human);
@@ -57,6 +60,7 @@ function pairClip({ id, source, result }: Clip, place: number): PairClip | null 
     place,
     letter: performerLetter(place),
     name: shortName(source.name),
+    qualifier,
     frames: Math.max(1, result.frames),
     frameTimeS: result.frameTimeS,
     result,
@@ -67,4 +71,4 @@ function pairClip({ id, source, result }: Clip, place: number): PairClip | null 
 }
 
 const isSame = (a: PairClip, b: PairClip | undefined): boolean =>
-  a.id === b?.id && a.place === b.place && a.result === b.result;
+  a.id === b?.id && a.place === b.place && a.result === b.result && a.qualifier === b.qualifier;

@@ -76,3 +76,16 @@ test('without clips it stands still', () => {
   expect(clock.moment().frames).toEqual([]);
   expect(clock.playing).toBe(false);
 });
+
+test('the loop stays at its moments of A under another alignment, and goes with another A', () => {
+  const { clock } = clockOf();
+  clock.setLoop({ fromS: 0.2, toS: 0.6 });
+  clock.toggleLoop();
+  clock.load([a, b], alignedAt([a, b], [0, 1]), undefined, true);
+  const { loop, looping } = clock.moment();
+  expect(loop?.fromS).toBeCloseTo(1.2, 9);
+  expect(loop?.toS).toBeCloseTo(1.6, 9);
+  expect(looping).toBe(false);
+  clock.load([b, a], alignedByStart([b, a]));
+  expect(clock.moment().loop).toBeNull();
+});

@@ -14,8 +14,14 @@ export interface PairMoment {
   readonly playing: boolean;
   readonly speed: number;
   readonly looping: boolean;
-  /** A–B in the pair's own time; null: all of it. */
-  readonly loop: { readonly fromS: number; readonly toS: number } | null;
+  /** null: all of it. */
+  readonly loop: PairLoop | null;
+}
+
+/** A–B in the pair's own time. */
+export interface PairLoop {
+  readonly fromS: number;
+  readonly toS: number;
 }
 
 /** Steps of the pair's own time in the shortest frame of a clip. */
@@ -32,14 +38,27 @@ export class PairClock {
 
   constructor(private readonly onChange: () => void) {}
 
-  /** Other clips or another alignment, A at a moment, by default where it is; speed and looping stay. */
-  load(clips: readonly ClipLength[], alignment: Alignment, timeA = this.timeOf(0)): void {
+  /**
+   * Other clips or another alignment, A at a moment, by default where it is; speed and looping stay, and the
+   * moments of A between which it loops where A is the same clip.
+   */
+  load(
+    clips: readonly ClipLength[],
+    alignment: Alignment,
+    timeA = this.timeOf(0),
+    isSameA = false,
+  ): void {
     const { speed, looping, playing } = this.clock;
+    const loop = isSameA ? this.loop : null;
+    const again = (pairS: number): number =>
+      alignment.pairTimeOf(0, this.alignment.timeOf(0, pairS));
+    const loopAgain = loop && { fromS: again(loop.fromS), toS: again(loop.toS) };
     this.endListening();
     this.clips = clips;
     this.alignment = alignment;
     this.clock = new Clock(stepsOf(clips, alignment.durationS));
     this.clock.setSpeed(speed);
+    this.setLoop(loopAgain);
     this.clock.setLooping(looping);
     this.clock.seekTime(alignment.pairTimeOf(0, timeA));
     if (playing) this.clock.play();
@@ -52,15 +71,20 @@ export class PairClock {
   }
 
   moment(): PairMoment {
-    const { timeS, playing, speed, looping, loopRange: loop, frameTimeS } = this.clock;
+    const { timeS, playing, speed, looping } = this.clock;
     return {
       pairS: timeS,
       frames: this.clips.map((_, clip) => this.frameOf(clip)),
       playing,
       speed,
       looping,
-      loop: loop && { fromS: loop.a * frameTimeS, toS: loop.b * frameTimeS },
+      loop: this.loop,
     };
+  }
+
+  private get loop(): PairLoop | null {
+    const { loopRange, frameTimeS } = this.clock;
+    return loopRange && { fromS: loopRange.a * frameTimeS, toS: loopRange.b * frameTimeS };
   }
 
   frameOf(clip: number): number {
@@ -133,8 +157,11 @@ export class PairClock {
     else this.clock.setLoopEnd();
   }
 
-  clearLoop(): void {
-    this.clock.setLoop(null);
+  /** Turns the loop on; null clears it, and so does one without length. */
+  setLoop(loop: PairLoop | null): void {
+    const { frameTimeS } = this.clock;
+    const range = loop && { a: loop.fromS / frameTimeS, b: loop.toS / frameTimeS };
+    this.clock.setLoop(range && range.b - range.a > SAME_S ? range : null);
   }
 
   timeOf(clip: number): number {

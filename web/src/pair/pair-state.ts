@@ -13,6 +13,8 @@ import { followPairClips, type PairClip } from './pair-clips';
 import { createRowsView, type RowsView } from './rows-view';
 import { followWarpings, type Warpings } from './warpings';
 
+export type LoopOfPair = Pick<PairMoment, 'loop' | 'looping'>;
+
 /** A frame of a clip of the page. */
 export interface ClipMoment {
   readonly clip: number;
@@ -23,6 +25,8 @@ export interface PairState {
   readonly clips: ReadonlySignal<readonly PairClip[]>;
   readonly clock: PairClock;
   readonly moment: ReadonlySignal<PairMoment>;
+  /** A–B, and whether it is on; changes only when they do. */
+  readonly loop: ReadonlySignal<LoopOfPair>;
   readonly alignment: ReadonlySignal<Alignment>;
   /** Of B along A. */
   readonly warping: ReadonlySignal<Warping | null>;
@@ -71,6 +75,7 @@ export function createPairState(context: Context): PairState {
     clips,
     clock,
     moment,
+    loop: loopOf(moment),
     alignment,
     warping: computed(() => warpings.found.value.get(clips.value[1]?.id ?? -1) ?? null),
     warpings,
@@ -85,6 +90,16 @@ export function createPairState(context: Context): PairState {
       clock.seek(clip, clips.peek()[clip]?.keyposes[keypose] ?? 0);
     },
   };
+}
+
+function loopOf(moment: ReadonlySignal<PairMoment>): ReadonlySignal<LoopOfPair> {
+  let before: LoopOfPair = noMoment;
+  return computed(() => {
+    const { loop, looping } = moment.value;
+    const isSame = loop?.fromS === before.loop?.fromS && loop?.toS === before.loop?.toS;
+    if (!isSame || looping !== before.looping) before = { loop, looping };
+    return before;
+  });
 }
 
 function followAlignment(
@@ -155,7 +170,7 @@ function runClock(
       timeOf: (place: number) => clock.timeOf(place),
     };
     const start = now[0] && startOfA(now[0], was, store.playback.peek().frame);
-    clock.load(now, alignment.value, start);
+    clock.load(now, alignment.value, start, a !== undefined && a.id === now[0]?.id);
     before = now;
   });
   return { clock, moment };

@@ -9,10 +9,12 @@ import {
   layoutStrip,
   leastLabelWidth,
   SMALLEST_CARD,
+  type StripLayout,
   stripScale,
 } from '../strip/strip-layout';
 import type { Axis } from '../timeline/axis';
 import { within } from '../timeline/sorted';
+import { svgElement } from './svg-element';
 
 export interface PairStripProps {
   readonly axis: Axis;
@@ -37,7 +39,6 @@ export interface PairStripEvents {
   onShown(frames: Int32Array): void;
 }
 
-const SVG_NAMESPACE = 'http://www.w3.org/2000/svg';
 const GROUND_Y = 55;
 /** The figures of the study's strip are so much larger. */
 const SCALE = 0.8;
@@ -55,6 +56,7 @@ export class PairStrip {
   private readonly cards = new Map<number, Card>();
   private figures = new Map<number, FlatFigure>();
   private figuresOf: unknown = null;
+  private seen = '';
   private props: PairStripProps | null = null;
 
   constructor(
@@ -74,48 +76,36 @@ export class PairStrip {
 
   update(props: PairStripProps): void {
     this.props = props;
-    const key = `${props.yawRad} ${props.mirrored}`;
-    if (this.figuresOf !== props.performer || this.root.dataset['yaw'] !== key)
-      this.figures.clear();
-    this.figuresOf = props.performer;
-    this.root.dataset['yaw'] = key;
+    this.forgetFigures(props);
     this.root.setAttribute('aria-label', props.label);
-    const { axis, keyposes, current, frameTimeS, performer } = props;
-    const lastS = (keyposes.at(-1) ?? 0) * frameTimeS;
-    const shown = within(keyposes, axis.span.first, axis.span.last);
-    const { cards, cardWidth } = layoutStrip(
-      Array.from(keyposes, (frame) => axis.x(frame)),
-      intensitiesOf(performer),
-      {
-        first: shown.from,
-        end: shown.to,
-        kept: current,
-        width: axis.width,
-        leastCard: Math.max(SMALLEST_CARD, leastLabelWidth(keyposes.length, lastS)),
-      },
-    );
-    this.events.onShown(Int32Array.from(cards, ({ keypose }) => keyposes[keypose]));
+    const { cards, cardWidth } = layoutOf(props);
+    this.events.onShown(Int32Array.from(cards, ({ keypose }) => props.keyposes[keypose]));
     this.remove(new Set(cards.map(({ keypose }) => keypose)));
     const figures = cards.map(({ keypose }) => this.figureOf(keypose, props));
-    const scale =
-      SCALE *
-      stripScale(
-        figures.filter((figure) => figure !== null),
-        cardWidth,
-      );
+    const known = figures.filter((figure) => figure !== null);
+    const scale = SCALE * stripScale(known, cardWidth);
+    const digits = digitsOf(cards, cardWidth, props);
     cards.forEach(({ keypose, x }, i) => {
       const card = this.cardOf(keypose);
       card.button.style.transform = `translateX(${x - cardWidth / 2}px)`;
       card.button.style.width = `${cardWidth - 1}px`;
-      this.label(card, keypose, cardWidth, props);
+      this.label(card, keypose, digits, props);
       draw(card, figures[i], scale);
     });
   }
 
-  private label(card: Card, keypose: number, width: number, props: PairStripProps): void {
+  /** Those of another clip, or seen from elsewhere. */
+  private forgetFigures({ performer, yawRad, mirrored }: PairStripProps): void {
+    const seen = `${yawRad} ${mirrored}`;
+    if (this.figuresOf !== performer || this.seen !== seen) this.figures.clear();
+    this.figuresOf = performer;
+    this.seen = seen;
+  }
+
+  private label(card: Card, keypose: number, digits: number, props: PairStripProps): void {
     const { keyposes, current, frameTimeS, keyposeName } = props;
     const timeS = keyposes[keypose] * frameTimeS;
-    const seconds = timeS.toFixed(labelDigits(keypose + 1, timeS, width));
+    const seconds = timeS.toFixed(digits);
     const isCurrent = keypose === current;
     card.number.textContent = String(keypose + 1);
     card.seconds.data = ` ${seconds}`;
@@ -145,7 +135,7 @@ export class PairStrip {
     const button = element('button', 'pair-card') as HTMLButtonElement;
     button.type = 'button';
     button.dataset['keypose'] = String(keypose);
-    const picture = document.createElementNS(SVG_NAMESPACE, 'svg');
+    const picture = svgElement('svg');
     picture.setAttribute('aria-hidden', 'true');
     const label = element('span', 'card-label');
     const number = element('b', 'card-number');
@@ -187,6 +177,31 @@ export class PairStrip {
     if (this.props) this.update({ ...this.props, current: next });
     this.cards.get(next)?.button.focus();
   }
+}
+
+function layoutOf({ axis, keyposes, current, frameTimeS, performer }: PairStripProps): StripLayout {
+  const lastS = (keyposes.at(-1) ?? 0) * frameTimeS;
+  const { from, to } = within(keyposes, axis.span.first, axis.span.last);
+  const places = Array.from(keyposes, (frame) => axis.x(frame));
+  return layoutStrip(places, intensitiesOf(performer), {
+    first: from,
+    end: to,
+    kept: current,
+    width: axis.width,
+    leastCard: Math.max(SMALLEST_CARD, leastLabelWidth(keyposes.length, lastS)),
+  });
+}
+
+/** Decimals for which every card has room. */
+function digitsOf(
+  cards: StripLayout['cards'],
+  cardWidth: number,
+  { keyposes, frameTimeS }: PairStripProps,
+): number {
+  const all = cards.map(({ keypose }) =>
+    labelDigits(keypose + 1, keyposes[keypose] * frameTimeS, cardWidth),
+  );
+  return Math.min(...all);
 }
 
 function draw(card: Card, figure: FlatFigure | null, scale: number): void {

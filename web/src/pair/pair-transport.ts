@@ -10,6 +10,8 @@ export interface PairTransportProps {
   readonly moment: PairMoment;
   /** Of A and B. */
   readonly timesS: readonly [number, number];
+  /** Of A, between which it loops; null: all of it. */
+  readonly rangeS: readonly [number, number] | null;
   readonly atStart: boolean;
   readonly atEnd: boolean;
   readonly hasEarlierKeypose: boolean;
@@ -37,15 +39,14 @@ function times({ words: { t, format }, timesS }: PairTransportProps): TemplateRe
 
 export function pairTransport(props: PairTransportProps): TemplateResult {
   const { words, moment, onSpeed } = props;
-  const { playing, looping, loop, speed } = moment;
-  const rangeS = loop && ([loop.fromS, loop.toS] as const);
+  const { playing, looping, speed } = moment;
   return html`
     <div class="movers">${movers({ ...props, playing, still: false })}</div>
     ${times(props)}
     <span class="rule"></span>
     <div class="transport-play">
       ${speedMenu({ id: 'pair-speed-menu', words, speed, onSpeed })}
-      ${loopControl({ ...props, looping, rangeS })}
+      ${loopControl({ ...props, looping })}
     </div>
     <div class="transport-view">${zoomButtons({ ...props, all: words.t('pair.zoom-all') })}</div>
     <div class="pair-legend">

@@ -1,6 +1,13 @@
 import { expect, it } from 'vitest';
 import { Axis } from '../timeline/axis';
-import { besideFlag, ribbonLabels, ribbonTicks } from './ribbon-labels';
+import {
+  flagCover,
+  ribbonLabels,
+  ribbonTicks,
+  tabCovers,
+  uncovered,
+  type Cover,
+} from './ribbon-labels';
 
 const withUnit = (seconds: string): string => `${seconds} s`;
 const labelsOf = (axis: Axis, frameTimeS: number) =>
@@ -23,8 +30,11 @@ it('labels a narrow axis too', () => {
   expect(texts).toEqual(['1 s', '2 s', '3 s']);
 });
 
-it('hides what a flag covers', () => {
+it('hides what a flag or a tab of the loop covers', () => {
   const labels = labelsOf(new Axis(1028, 480), 1 / 120);
-  expect(besideFlag(labels, labels[1].x).map(({ text }) => text)).toEqual(['1 s', '3 s']);
-  expect(besideFlag(labels, labels[1].x + 60)).toEqual(labels);
+  const shownBeside = (...covers: Cover[]) => uncovered(labels, covers).map(({ text }) => text);
+  expect(shownBeside(flagCover(labels[1].x))).toEqual(['1 s', '3 s']);
+  expect(shownBeside(flagCover(labels[1].x + 60))).toEqual(['1 s', '2 s', '3 s']);
+  const tabs = tabCovers(labels[0].x, labels[2].x - 1);
+  expect(shownBeside(...tabs)).toEqual(['2 s', '3 s']);
 });

@@ -1,4 +1,4 @@
-/** The axes of A and B in; the times at the edges of the ribbon, where no flag covers them, out: pure geometry. */
+/** The axes of A and B in; the times at the edges of the ribbon, where nothing covers them, out: pure geometry. */
 import { Axis } from '../timeline/axis';
 import {
   clockTime,
@@ -22,6 +22,7 @@ export interface RibbonLabel {
 const LETTER = 6;
 const GAP = 4;
 const FLAG_HALF_WIDTH = 25;
+const TAB_WIDTH = 16;
 
 /** The labels stand among lines: half as many as a ruler would have, but two at least. */
 export function ribbonTicks(axis: Axis, frameTimeS: number): RibbonTicks {
@@ -51,10 +52,19 @@ export function ribbonLabels(
 const timeText = (timeS: number, digits: number, withUnit: (seconds: string) => string): string =>
   timeS < 59.9995 ? withUnit(timeS.toFixed(digits)) : clockTime(timeS, digits);
 
-/** The labels beside a flag whose middle is at a pixel. */
-export function besideFlag(labels: readonly RibbonLabel[], flagX: number): RibbonLabel[] {
-  return labels.filter(
-    ({ x, text }) =>
-      x > flagX + FLAG_HALF_WIDTH || x + text.length * LETTER < flagX - FLAG_HALF_WIDTH,
+/** What covers labels, from pixel to pixel. */
+export type Cover = readonly [from: number, to: number];
+
+export const flagCover = (x: number): Cover => [x - FLAG_HALF_WIDTH, x + FLAG_HALF_WIDTH];
+
+/** The tabs of a loop between two pixels. */
+export const tabCovers = (from: number, to: number): Cover[] => [
+  [from, from + TAB_WIDTH],
+  [to - TAB_WIDTH, to],
+];
+
+export function uncovered(labels: readonly RibbonLabel[], covers: readonly Cover[]): RibbonLabel[] {
+  return labels.filter(({ x, text }) =>
+    covers.every(([from, to]) => x > to || x + text.length * LETTER < from),
   );
 }

@@ -1,7 +1,7 @@
 /** The alignment of two clips and their axes in; the lines between matching moments out: pure geometry. */
 import type { Axis } from '../timeline/axis';
 import type { Alignment, ClipLength } from './alignment';
-import { rows } from './rows-layout';
+import { rows, ROWS_HEIGHT } from './rows-layout';
 
 export interface RibbonClip extends ClipLength {
   readonly axis: Axis;
@@ -21,6 +21,31 @@ const BEND = 32;
 export function bend(xA: number, xB: number, inset = 0): string {
   const [top, bottom] = [rows.ribbon.top + inset, rows.ribbon.top + rows.ribbon.height - inset];
   return `M${px(xA)} ${top}C${px(xA)} ${top + BEND - inset} ${px(xB)} ${bottom - BEND + inset} ${px(xB)} ${bottom}`;
+}
+
+/** Places of A's moment and of B's. */
+export type Places = readonly [xA: number, xB: number];
+
+/** From where to where moments are marked: over A's rows, over B's, and over what is told on B's time. */
+const overA = { top: rows.pinsA.top + 2, end: rows.ribbon.top };
+const overB = { top: rows.speedB.top, end: rows.pinsB.top + rows.pinsB.height };
+const beneath = { top: rows.ahead.top + 1, end: ROWS_HEIGHT };
+
+/** SVG path data of a moment over the rows, bent across the ribbon. */
+export function momentPath([xA, xB]: Places): string {
+  const [a, b] = [px(xA), px(xB)];
+  const onB = [overB, beneath].map(({ top, end }) => `M${b} ${top}V${end}`);
+  return `M${a} ${overA.top}V${overA.end}${bend(xA, xB)}${onB.join('')}`;
+}
+
+/** SVG path data of all that lies between two moments. */
+export function bandPath([fromA, fromB]: Places, [toA, toB]: Places): string {
+  const [a0, b0, a1, b1] = [fromA, fromB, toA, toB].map(px);
+  const [top, bottom] = [overA.end, overB.top];
+  const down = `V${top}C${a0} ${top + BEND} ${b0} ${bottom - BEND} ${b0} ${bottom}`;
+  const up = `V${bottom}C${b1} ${bottom - BEND} ${a1} ${top + BEND} ${a1} ${top}`;
+  const both = `M${a0} ${overA.top}${down}V${overB.end}H${b1}${up}V${overA.top}Z`;
+  return `${both}M${b0} ${beneath.top}V${beneath.end}H${b1}V${beneath.top}Z`;
 }
 
 /** Lines at even steps of the pair's own time while both clips run, where A or B is in view. */

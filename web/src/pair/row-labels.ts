@@ -1,6 +1,7 @@
 /** The clips at their moments in; the names of the rows beside them out. */
 import { html, type TemplateResult } from 'lit-html';
 import type { Words } from '../app/i18n/catalogue';
+import { clipName } from '../common/clip-name';
 import { styled } from '../common/directives';
 import { bodyParts } from '../engine/types';
 import type { PairClip } from './pair-clips';
@@ -22,7 +23,9 @@ const at = (top: number) => styled({ top: `${top}px` });
 function clipLabel({ top }: RowPlace, clip: PairClip, { t, format }: Words): TemplateResult {
   const lengthS = (clip.frames - 1) * clip.frameTimeS;
   return html`<div class="pair-row-clip" ${at(top + 6)}>
-    <span class="pair-row-name">${who(clip.letter, clip.place)} <b>${clip.name}</b></span>
+    <span class="pair-row-name"
+      >${who(clip.letter, clip.place)} <b>${clipName(clip.name, clip.qualifier)}</b></span
+    >
     <span class="pair-row-note">${t('unit.seconds', format.decimal(lengthS, 2))}</span>
   </div>`;
 }

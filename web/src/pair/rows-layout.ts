@@ -56,6 +56,16 @@ export function axesOf(
   });
 }
 
+/** Where the ribbon's ticks are, the ruler of a clip. */
+const RULER_HEIGHT = 14;
+
+/** Whose ruler lies at a height of the rows: there a drag makes a loop. */
+export function rulerAt(y: number): 0 | 1 | null {
+  const { top, height } = rows.ribbon;
+  if (y >= top && y < top + RULER_HEIGHT) return 0;
+  return y >= top + height - RULER_HEIGHT && y < top + height ? 1 : null;
+}
+
 /** Which clip's time a height of the rows speaks of: 0 A, 1 B. */
 export function clipAt(y: number): 0 | 1 {
   return y < rows.ribbon.top + rows.ribbon.height / 2 ? 0 : 1;

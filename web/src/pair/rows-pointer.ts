@@ -1,50 +1,45 @@
-/** Pointers and wheel over the rows in; the time they lead to, the moment they show and the zoom out. */
+/**
+ * Pointers and wheel over the rows in; the time they lead to, the moment they show, the loop and the zoom out.
+ * A drag scrubs; on the ruler of a clip it makes a loop.
+ */
 import { Touches } from '../timeline/touches';
 import { turnOf } from '../timeline/wheel';
-import type { TwoSignal } from './mount-rows';
+import { isInLoop, setLoop } from './loop-frames';
+import { isOnFlag } from './pair-playhead';
 import type { PairState } from './pair-state';
-import { clipAt } from './rows-layout';
+import { clipAt, rulerAt } from './rows-layout';
+import type { TwoSignal } from './two';
 
-type Place = Pick<PointerEvent, 'clientX' | 'clientY'>;
-
-type MomentOf = (event: Place) => { readonly clip: 0 | 1; readonly frame: number } | null;
-
-export function listenToRows(area: HTMLElement, state: PairState, two: TwoSignal): void {
-  const momentOf: MomentOf = (event) => {
-    const shown = two.peek();
-    if (!shown) return null;
-    const box = area.getBoundingClientRect();
-    const clip = clipAt(event.clientY - box.top);
-    return { clip, frame: shown.axes[clip].frameAt(event.clientX - box.left) };
-  };
-  new RowsPointer(area, state, two, momentOf);
-  const turn = (event: WheelEvent): void => {
-    const turned = turnOf(event);
-    const moment = momentOf(event);
-    if (!turned || !moment) return;
-    event.preventDefault();
-    const { clip, frame } = moment;
-    if ('factor' in turned) state.rows.zoomAbout(clip, frame, turned.factor);
-    else state.rows.pan(clip, turned.pan / pixelsPerSecond(two));
-  };
-  area.addEventListener('wheel', turn, { passive: false });
+interface Place {
+  readonly x: number;
+  readonly y: number;
 }
 
-function pixelsPerSecond(two: TwoSignal): number {
-  const shown = two.peek();
-  return shown ? shown.axes[0].scale / shown.a.frameTimeS : 1;
+/** A press that is held. */
+interface Hold {
+  /** Whose time a drag moves: it stays the one where the drag began. */
+  readonly clip: 0 | 1;
+  readonly x: number;
+  /** On a ruler: the frame where a loop begins. */
+  readonly from: number | null;
+  dragged: boolean;
+}
+
+/** A press on a ruler that moves less than this is no drag, in pixels. */
+const DRAG_START = 4;
+
+export function listenToRows(area: HTMLElement, state: PairState, two: TwoSignal): void {
+  new RowsPointer(area, state, two);
 }
 
 class RowsPointer {
   private readonly touches = new Touches();
-  /** Whose time a drag moves: it stays the one where the drag began. */
-  private dragged: 0 | 1 | null = null;
+  private hold: Hold | null = null;
 
   constructor(
     private readonly area: HTMLElement,
     private readonly state: PairState,
     private readonly two: TwoSignal,
-    private readonly momentOf: MomentOf,
   ) {
     area.addEventListener('pointerdown', (event) => this.press(event));
     area.addEventListener('pointermove', (event) => this.move(event));
@@ -53,47 +48,98 @@ class RowsPointer {
     area.addEventListener('pointerleave', () => {
       state.hovered.value = null;
     });
+    area.addEventListener('dblclick', (event) => this.clear(event));
+    area.addEventListener('wheel', (event) => this.turn(event), { passive: false });
+  }
+
+  private placeOf({ clientX, clientY }: MouseEvent): Place {
+    const { left, top } = this.area.getBoundingClientRect();
+    return { x: clientX - left, y: clientY - top };
+  }
+
+  private momentAt({ x, y }: Place): { readonly clip: 0 | 1; readonly frame: number } | null {
+    const clip = clipAt(y);
+    const axis = this.two.peek()?.axes[clip];
+    return axis ? { clip, frame: axis.frameAt(x) } : null;
   }
 
   private press(event: PointerEvent): void {
-    const moment = this.momentOf(event);
+    const place = this.placeOf(event);
+    const moment = this.momentAt(place);
     if (event.button !== 0 || isOnButton(event) || !moment) return;
+    const { clip, frame } = moment;
     this.area.setPointerCapture(event.pointerId);
     this.state.hovered.value = null;
-    if (event.pointerType === 'touch') this.touches.put(event.pointerId, this.xOf(event));
-    this.dragged = this.touches.count > 1 ? null : moment.clip;
-    this.drag(event);
+    if (event.pointerType === 'touch') this.touches.put(event.pointerId, place.x);
+    const from = this.isRuler(place) ? frame : null;
+    this.hold = this.touches.count > 1 ? null : { clip, x: place.x, from, dragged: false };
+    if (from === null) this.drag(place.x);
+  }
+
+  private isRuler({ x, y }: Place): boolean {
+    const shown = this.two.peek();
+    if (!shown || rulerAt(y) === null) return false;
+    const { frames } = this.state.moment.peek();
+    const [a, b] = shown.axes;
+    return !isOnFlag(x, y, [a.x(frames[0]), b.x(frames[1])]);
   }
 
   private move(event: PointerEvent): void {
-    if (this.touches.count > 1) return this.pinch(event);
-    if (this.touches.has(event.pointerId)) this.touches.put(event.pointerId, this.xOf(event));
-    if (this.dragged !== null) this.drag(event);
-    else if (!isOnButton(event)) this.state.hovered.value = this.momentOf(event);
+    const place = this.placeOf(event);
+    if (this.touches.count > 1) return this.pinch(event.pointerId, place);
+    if (this.touches.has(event.pointerId)) this.touches.put(event.pointerId, place.x);
+    if (this.hold) this.drag(place.x);
+    else if (!isOnButton(event)) this.state.hovered.value = this.momentAt(place);
   }
 
-  private end({ pointerId }: PointerEvent): void {
+  private drag(x: number): void {
+    const { hold } = this;
+    const axis = hold && this.two.peek()?.axes[hold.clip];
+    if (!hold || !axis) return;
+    const { clip, from } = hold;
+    const frame = axis.frameAt(x);
+    hold.dragged ||= Math.abs(x - hold.x) >= DRAG_START;
+    if (from === null) this.state.clock.seek(clip, frame);
+    else if (hold.dragged && frame !== from) {
+      const range = { a: Math.min(frame, from), b: Math.max(frame, from) };
+      setLoop(this.state, this.two.peek(), clip, range);
+    }
+  }
+
+  private end({ pointerId, type }: PointerEvent): void {
     this.touches.lift(pointerId);
-    this.dragged = null;
+    const { hold } = this;
+    this.hold = null;
+    if (type !== 'lostpointercapture' || !hold || hold.from === null || hold.dragged) return;
+    this.state.clock.seek(hold.clip, hold.from);
   }
 
-  private drag(event: PointerEvent): void {
-    const { dragged } = this;
-    const axis = dragged === null ? undefined : this.two.peek()?.axes[dragged];
-    if (axis) this.state.clock.seek(dragged!, axis.frameAt(this.xOf(event)));
+  private clear(event: MouseEvent): void {
+    const shown = this.two.peek();
+    if (!shown || isOnButton(event)) return;
+    const { x, y } = this.placeOf(event);
+    const clip = clipAt(y);
+    if (isInLoop(this.state, shown, clip, shown.axes[clip].placeAt(x)))
+      this.state.clock.setLoop(null);
   }
 
   /** What a finger that stays touches keeps its place. */
-  private pinch(event: PointerEvent): void {
-    const spread = this.touches.move(event.pointerId, this.xOf(event));
-    const { left } = this.area.getBoundingClientRect();
-    const moment =
-      spread && this.momentOf({ clientX: left + spread.about, clientY: event.clientY });
+  private pinch(id: number, { x, y }: Place): void {
+    const spread = this.touches.move(id, x);
+    const moment = spread && this.momentAt({ x: spread.about, y });
     if (moment) this.state.rows.zoomAbout(moment.clip, moment.frame, spread.factor);
   }
 
-  private xOf({ clientX }: PointerEvent): number {
-    return clientX - this.area.getBoundingClientRect().left;
+  private turn(event: WheelEvent): void {
+    const turned = turnOf(event);
+    const shown = this.two.peek();
+    const moment = this.momentAt(this.placeOf(event));
+    if (!turned || !moment || !shown) return;
+    event.preventDefault();
+    const { clip, frame } = moment;
+    const pixelsPerSecond = shown.axes[0].scale / shown.a.frameTimeS;
+    if ('factor' in turned) this.state.rows.zoomAbout(clip, frame, turned.factor);
+    else this.state.rows.pan(clip, turned.pan / pixelsPerSecond);
   }
 }
 

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Words } from '../app/i18n/catalogue';
 import type { ViewPreset } from '../app/store';
+import { clipName } from '../common/clip-name';
 import type { Caption } from '../study/caption';
 import { who } from './who';
 
@@ -9,6 +10,7 @@ export interface PlateProps {
   readonly letter: string;
   readonly place: number;
   readonly name: string;
+  readonly qualifier: string;
   readonly about: string;
 }
 
@@ -49,9 +51,10 @@ function views({ words: { t }, view, onView }: StageOverlayProps) {
   </div>`;
 }
 
-const plate = ({ letter, place, name, about }: PlateProps): TemplateResult =>
+const plate = ({ letter, place, name, qualifier, about }: PlateProps): TemplateResult =>
   html`<li class="pair-plate">
-    ${who(letter, place)}<b>${name}</b><span class="pair-plate-about">${about}</span>
+    ${who(letter, place)}<b>${clipName(name, qualifier)}</b
+    ><span class="pair-plate-about">${about}</span>
   </li>`;
 
 function caption({ caption: words }: StageOverlayProps) {

@@ -43,6 +43,7 @@ function plate({ store, language }: Context, clip: PairClip): PlateProps {
     letter: clip.letter,
     place: clip.place,
     name: clip.name,
+    qualifier: clip.qualifier,
     about: about.filter((text) => text !== '').join(' · '),
   };
 }

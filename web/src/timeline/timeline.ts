@@ -339,7 +339,8 @@ export class Timeline {
   private clearLoop(event: KeyboardEvent): void {
     const { activeElement } = document;
     const free = activeElement === document.body || this.root.contains(activeElement);
-    if (event.key !== 'Escape' || event.defaultPrevented || !free) return;
+    const hidden = this.root.offsetParent === null;
+    if (event.key !== 'Escape' || event.defaultPrevented || !free || hidden) return;
     if (this.props.loop !== null) this.events.onLoop(null);
   }
 }

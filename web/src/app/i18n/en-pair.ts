@@ -34,6 +34,9 @@ export const englishPair = {
   'pair.performer': 'Clip {0}: {1}',
   'pair.transport': 'Playback of the pair',
   'pair.seconds-of': 's of {0}',
+  'pair.loop-start': "A, where the loop begins, in {0}'s time",
+  'pair.loop-end': "B, where the loop ends, in {0}'s time",
+  'pair.span': 'The part of {0} that the rows show',
   'pair.zoom-all': 'Show both clips whole',
   'pair.difference': 'Difference',
   'pair.difference.label':
