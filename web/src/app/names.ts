@@ -35,11 +35,12 @@ export function qualifiers(clips: readonly Clip[]): ReadonlyMap<ClipId, string> 
 export const qualifiedName = (name: string, qualifier = ''): string =>
   qualifier === '' ? name : `${qualifier} ${name}`;
 
-export const tailLength = 9;
+/** Letters that always show, the ending of the file among them. */
+const tailLength = 9;
 
-/** A name in two parts: the first may be cut short, the second always shows. */
-export function splitName(name: string): readonly [string, string] {
+/** A name in two parts: the first may be cut short, the second, at most `tail` letters, always shows. */
+export function splitName(name: string, tail = tailLength): readonly [string, string] {
   const signs = [...name];
-  const cut = Math.max(0, signs.length - Math.min(tailLength, Math.floor(signs.length / 2)));
+  const cut = Math.max(0, signs.length - Math.min(tail, Math.floor(signs.length / 2)));
   return [signs.slice(0, cut).join(''), signs.slice(cut).join('')];
 }

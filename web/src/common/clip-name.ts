@@ -3,8 +3,8 @@ import { html, nothing, type TemplateResult } from 'lit-html';
 import { splitName } from '../app/names';
 
 /** The halves are two boxes, which would be read with a gap: the label speaks the name whole. */
-export function clipName(name: string, qualifier = ''): TemplateResult {
-  const [head, tail] = splitName(name);
+export function clipName(name: string, qualifier = '', tailLength?: number): TemplateResult {
+  const [head, tail] = splitName(name, tailLength);
   return html`<span
     class="clip-name"
     role="img"

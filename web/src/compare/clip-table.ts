@@ -5,14 +5,13 @@ import { repeat } from 'lit-html/directives/repeat.js';
 import { live } from 'lit-html/directives/live.js';
 import type { MessageKey, Words } from '../app/i18n/catalogue';
 import { iconButton } from '../common/buttons';
-import { clipName } from '../common/clip-name';
 import { styled } from '../common/directives';
 import { icon } from '../common/icons';
 import { labelMark } from '../common/label-mark';
 import type { ClipId } from '../engine/types';
 import { lengthText, reasonOf } from '../library/row';
 import { rowWindow } from '../library/row-window';
-import { plainName } from './clip-words';
+import { nameLine, plainName } from './clip-words';
 import { distanceNumber } from './distance-number';
 import {
   columns,
@@ -225,7 +224,9 @@ function figureCells(props: ClipTableProps, facts: ClipFacts): unknown {
       onChoose(nearestId, 'b');
     };
     return html`<td class="column-nearest">
-      <button type="button" class="row-nearest" tabindex="-1" @click=${onPress}>${text}</button>
+      <button type="button" class="row-nearest" tabindex="-1" @click=${onPress}>
+        ${nameLine(text)}
+      </button>
     </td>`;
   });
 }
@@ -259,7 +260,7 @@ function clipRow(props: ClipTableProps, facts: ClipFacts, index: number): Templa
         tabindex=${clip.id === currentId ? 0 : -1}
         @click=${(event: MouseEvent) => onChoose(clip.id, event.shiftKey ? 'b' : 'a')}
       >
-        ${clipName(plainName(name))}${which ? html`<b class="letter-${which}">${words.t(letters[which])}</b>` : nothing}
+        ${nameLine(plainName(name))}${which ? html`<b class="letter-${which}">${words.t(letters[which])}</b>` : nothing}
       </button>
     </th>
     ${labelCell(props, facts)}${figureCells(props, facts)}

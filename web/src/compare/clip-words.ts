@@ -3,11 +3,18 @@ import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Clip } from '../app/clips';
 import type { Words } from '../app/i18n/catalogue';
 import { qualifiedName } from '../app/names';
+import { clipName } from '../common/clip-name';
 import { labelMark } from '../common/label-mark';
 import type { ClipId } from '../engine/types';
 
 /** A file name without its ending. */
 export const plainName = (name: string): string => name.replace(/\.bvh$/i, '');
+
+/** Letters that always show of a name without its ending. */
+const plainTail = 5;
+
+/** Such a name in one line; where room is short it loses its middle. */
+export const nameLine = (name: string): TemplateResult => clipName(name, '', plainTail);
 
 export type NameOf = (clip: Clip | null | undefined) => string;
 

@@ -9,7 +9,7 @@ import { labelMark } from '../common/label-mark';
 import type { Evaluation } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { rowWindow } from '../library/row-window';
-import type { NameOf } from './clip-words';
+import { nameLine, type NameOf } from './clip-words';
 import type { Scrolling } from './scrolling';
 
 type EvaluationError = Evaluation['errors'][number];
@@ -33,8 +33,9 @@ function clipOf({ clips, nameOf, labels, placeOf }: ErrorListProps, id: ClipId):
   const name = nameOf(clips[id]);
   const title = label === null ? name : `${name} · ${label}`;
   return html`<span class="error-clip" title=${title}
-    >${label === null ? nothing : labelMark(placeOf(label))}<span>${name}</span
-    ><span class="spoken"> ${label}</span></span
+    >${label === null ? nothing : labelMark(placeOf(label))}${nameLine(name)}<span class="spoken">
+      ${label}</span
+    ></span
   >`;
 }
 

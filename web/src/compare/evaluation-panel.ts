@@ -152,7 +152,7 @@ function panel(context: Context, { counts, places, room, scrolling }: Prepared):
 }
 
 /** Scores and errors stand beside it, with room around it and a line; its title over it. */
-const besidePx = 431;
+const besidePx = 481;
 const leastRoom = { width: 260, height: 120 } as const;
 const mostRoomPx = 560;
 const titlePx = 50;

@@ -6,15 +6,18 @@ import type { ComparePalette } from './compare-palette';
 import { convexHull, type Point } from './hull';
 import { clusterAnchors, discRadius, hullColour, hullPathOf, membersOf } from './map-canvas';
 import { fitMap, onScreen, placeFigures, type Box } from './map-layout';
-import { legendTags, markTag } from './mark-tag';
+import { markTag } from './mark-tag';
 import type { PictureParts } from './matrix-picture';
+import { pictureLegend } from './picture-legend';
 import type { Scene } from './scene';
 import { svgSheet, tag, textTag } from './svg-text';
 
 const widthPx = 880;
-const margins = { left: 90, top: 110, right: 90, bottom: 130 };
-const figureMargins = { left: 4, top: 40, right: 4, bottom: 40 };
-const leastHeightPx = 420;
+const sidePx = 20;
+/** Of the map, over its legend. */
+const margins = { left: 90, top: 110, right: 90, bottom: 102 };
+const figureMargins = { left: 4, top: 40, right: 4, bottom: 8 };
+const leastHeightPx = 390;
 const figurePx = { width: 66, height: 72 };
 const mostFigures = 10;
 
@@ -26,7 +29,7 @@ const inside = (height: number, by: Box): Box => ({
 });
 
 /** As high as the map is at the full width, within reason. */
-function sheetHeight(map: Float64Array): number {
+function mapHeight(map: Float64Array): number {
   const square = fitMap(map, { left: 0, top: 0, right: 1, bottom: 1e9 });
   const ys = map.filter((_, k) => k % 2 === 1);
   const high =
@@ -41,7 +44,8 @@ export function svgOfMap(
 ): string {
   const { scene, palette, words } = parts;
   const { map, spread } = scene.comparison;
-  const height = sheetHeight(map);
+  const height = mapHeight(map);
+  const legend = pictureLegend(scene, widthPx - 2 * sidePx);
   const transform = fitMap(map, inside(height, margins));
   const points = Array.from({ length: scene.count }, (_, item) =>
     onScreen(transform, [map[2 * item], map[2 * item + 1]]),
@@ -56,8 +60,9 @@ export function svgOfMap(
     discs.join('') +
     figureTags(scene, palette, points, height, figureOf) +
     textTag(title, heading) +
-    legendTags(palette, scene.labels, new Set(scene.labelOfItem), 24, height - 20);
-  return svgSheet({ width: widthPx, height, ground: palette.panel, title }, content);
+    legend.tags(palette, sidePx, height);
+  const sheet = { width: widthPx, height: height + legend.heightPx + 12 };
+  return svgSheet({ ...sheet, ground: palette.panel, title }, content);
 }
 
 function hullTags(scene: Scene, palette: ComparePalette, points: readonly Point[]): string {

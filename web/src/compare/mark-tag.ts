@@ -2,7 +2,7 @@
 import { labelStyle } from '../app/labels';
 import { labelColour, type ComparePalette } from './compare-palette';
 import { shapePath, type LabelShape } from '../common/label-shape';
-import { tag, textTag, type Attributes } from './svg-text';
+import { tag, type Attributes } from './svg-text';
 
 export interface MarkLook {
   readonly shape: LabelShape;
@@ -33,25 +33,4 @@ export function markTag(
     ? { fill: palette.panel, stroke: colour, 'stroke-width': 1.5 }
     : { fill: colour };
   return around + tag('path', { d, ...look });
-}
-
-const perLetterPx = 6.6;
-
-/** The labels in use, in one line. */
-export function legendTags(
-  palette: ComparePalette,
-  labels: readonly string[],
-  used: ReadonlySet<number>,
-  x: number,
-  y: number,
-): string {
-  let at = x;
-  const tags = labels.map((name, index) => {
-    if (!used.has(index)) return '';
-    const text = { x: at + 10, y: y + 4, 'font-size': 12, fill: palette.text2 };
-    const both = markTag(palette, index, at, y, 4) + textTag(name, text);
-    at += 28 + name.length * perLetterPx;
-    return both;
-  });
-  return tags.join('');
 }

@@ -131,7 +131,8 @@ function drawNumbers(context: CanvasRenderingContext2D, drawing: MatrixDrawing):
   for (const { group, first, end } of groupRuns(scene.groups)) {
     const from = Math.max(0, axis.start(first) - zoom.x);
     const to = Math.min(side, axis.start(end - 1) + axis.cell - zoom.x);
-    const [middle, half] = [(from + to) / 2, (String(group + 1).length * digitPx) / 2];
+    const half = (String(group + 1).length * digitPx) / 2;
+    const middle = Math.max(half, Math.min(side - half, (from + to) / 2));
     // Of numbers that would touch each other the first stands.
     if (to <= from || middle - half < right + digitPx / 2) continue;
     context.fillText(String(group + 1), middle, numberBaselinePx);

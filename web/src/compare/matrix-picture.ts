@@ -3,12 +3,12 @@ import type { Words } from '../app/i18n/catalogue';
 import { ColourScale } from './colour-scale';
 import { labelColour, type ComparePalette } from './compare-palette';
 import { legendDigits } from './legend';
-import { legendTags } from './mark-tag';
 import { positionsUnder } from './matrix-axis';
 import { groupRuns, digitPx, numberBaselinePx, tickPx } from './matrix-canvas';
 import { matrixGeometry, noZoom, topPx, type MatrixGeometry } from './matrix-geometry';
 import { colourPicture, paintMatrix, type PlacedPicture } from './matrix-pixels';
 import { pixelOf, rgbOf } from './colour-scale';
+import { pictureLegend } from './picture-legend';
 import type { Scene } from './scene';
 import { svgSheet, tag, textTag } from './svg-text';
 import { cutTag, nameTags, treeTags } from './tree-picture';
@@ -17,7 +17,9 @@ import { cutTag, nameTags, treeTags } from './tree-picture';
 const mostRects = 150;
 const namedCellPx = 13;
 const manySidePx = 1600;
-const footPx = 64;
+/** The scale of colours, over the legend. */
+const scaleRowPx = 40;
+const sidePx = 20;
 
 export interface PictureParts {
   readonly scene: Scene;
@@ -39,7 +41,9 @@ export function svgOfMatrix(parts: PictureParts, placed: PlacedPicture): string 
   const geometry = pictureGeometry(parts);
   const scale = new ColourScale(palette.distances, scene.comparison.legendMaximum);
   const width = geometry.left + geometry.side + 16;
-  const height = topPx + geometry.side + footPx;
+  const legend = pictureLegend(scene, width - 2 * sidePx);
+  const bottom = topPx + geometry.side;
+  const height = bottom + scaleRowPx + legend.heightPx + 8;
   const cells =
     scene.count <= mostRects
       ? cellRects(scene, geometry, placed, scale)
@@ -50,7 +54,8 @@ export function svgOfMatrix(parts: PictureParts, placed: PlacedPicture): string 
     nameTags(scene, geometry, palette) +
     tag('g', { transform: `translate(${geometry.left} ${topPx})` }, cells) +
     heading(scene, geometry, palette) +
-    scaleTags(parts, scale, height);
+    scaleTags(parts, scale, bottom + 20) +
+    legend.tags(palette, sidePx, bottom + scaleRowPx);
   const title = words.t('matrix.label');
   return svgSheet({ width, height, ground: palette.panel, title }, content);
 }
@@ -118,11 +123,11 @@ function heading(scene: Scene, { axis, left }: MatrixGeometry, palette: CompareP
   return ticks.join('') + numbers.join('');
 }
 
-/** The scale of colours with its numbers, and the labels. */
-function scaleTags({ scene, palette, words }: PictureParts, scale: ColourScale, height: number) {
+/** The scale of colours with its numbers. */
+function scaleTags({ scene, palette, words }: PictureParts, scale: ColourScale, y: number): string {
   const { t, format } = words;
   const end = scene.comparison.legendMaximum;
-  const [x, y, width] = [60, height - 44, 150];
+  const [x, width] = [60, 150];
   const steps = Array.from({ length: width }, (_, k) =>
     tag('rect', { x: x + k, y, width: 1.2, height: 8, fill: scale.css((end * k) / width) }),
   );
@@ -132,7 +137,6 @@ function scaleTags({ scene, palette, words }: PictureParts, scale: ColourScale, 
   return (
     textTag(t('legend.alike'), { x: x - 8, 'text-anchor': 'end', ...look }) +
     steps.join('') +
-    textTag(`${t('legend.different')} · ${t(range, number)}`, { x: x + width + 8, ...look }) +
-    legendTags(palette, scene.labels, new Set(scene.labelOfItem), 24, height - 18)
+    textTag(`${t('legend.different')} · ${t(range, number)}`, { x: x + width + 8, ...look })
   );
 }

@@ -3,6 +3,7 @@ import { html, nothing, render, type TemplateResult } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
 import { styled } from '../common/directives';
 import { element } from '../common/element';
+import { nameLine } from './clip-words';
 import { positionsInSight } from './matrix-canvas';
 import { topPx, type MatrixGeometry } from './matrix-geometry';
 import type { Scene } from './scene';
@@ -101,7 +102,7 @@ export class NamesView {
       tabindex=${position === this.stop ? 0 : -1}
       ${styled({ top: `${top}px`, height: `${height}px`, 'line-height': `${height}px` })}
     >
-      ${named ? html`${itemMark(scene.labelOfItem[item])}<span>${scene.names[item]}</span>` : nothing}
+      ${named ? html`${itemMark(scene.labelOfItem[item])}${nameLine(scene.names[item])}` : nothing}
     </div>`;
   }
 

@@ -3,14 +3,13 @@ import { html, nothing, type TemplateResult } from 'lit-html';
 import { repeat } from 'lit-html/directives/repeat.js';
 import type { Clip } from '../app/clips';
 import type { Words } from '../app/i18n/catalogue';
-import { clipName } from '../common/clip-name';
 import { drawn, styled } from '../common/directives';
 import { labelMark } from '../common/label-mark';
 import type { Neighbour } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 import { rowWindow, scrollToRow } from '../library/row-window';
-import { mirrorSign, type LabelOf, type NameOf } from './clip-words';
+import { mirrorSign, nameLine, type LabelOf, type NameOf } from './clip-words';
 import { distanceNumber } from './distance-number';
 
 export const neighbourHeightPx = 44;
@@ -71,7 +70,7 @@ function row(
       <span class="neighbour-rank">${words.format.integer(index + 1)}</span>
       ${thumbnail(clip)}
       <span class="neighbour-text"
-        >${clipName(nameOf(clip))}<span class="neighbour-label"
+        >${nameLine(nameOf(clip))}<span class="neighbour-label"
           >${label ? html`${labelMark(label.index)}${label.name}` : nothing}</span
         ></span
       >

@@ -7,6 +7,7 @@ import { element } from '../common/element';
 import type { Explanation } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
+import { nameLine } from './clip-words';
 import { distanceNumber } from './distance-number';
 import type { Arrived } from './map-arrivals';
 import type { Box } from './map-layout';
@@ -52,7 +53,7 @@ export class PairTip {
     const line = [scene.value?.labels[label], t('map.arrived')].filter(Boolean).join(' · ');
     this.element.hidden = false;
     const content = html`<div class="tip-figures">${this.figureOf(clip)}</div>
-      <div class="tip-names">${itemMark(label)}<span class="tip-name">${name}</span></div>
+      <div class="tip-names">${itemMark(label)}${nameLine(name)}</div>
       <div class="tip-rank">${line}</div>`;
     render(content, this.element);
     this.stand(box);
@@ -61,7 +62,7 @@ export class PairTip {
   private content(scene: Scene, { a, b }: TipPlace, known: Explanation | null): TemplateResult {
     const words = this.shared.context.language.words.value;
     const named = (item: number): TemplateResult =>
-      html`${itemMark(scene.labelOfItem[item])}<span class="tip-name">${scene.names[item]}</span>`;
+      html`${itemMark(scene.labelOfItem[item])}${nameLine(scene.names[item])}`;
     if (a === b)
       return html`<div class="tip-figures">${this.figure(scene, a)}</div>
         <div class="tip-names">${named(a)}</div>
@@ -116,7 +117,10 @@ function labelLine(scene: Scene, item: number, { t }: Words): TemplateResult {
 function factsOf(words: Words, { comparison }: Scene, known: Explanation | null): TemplateResult {
   const { t, format } = words;
   const distance = known ? distanceNumber(format, known.distance) : ' ';
-  const rank = known ? t('matrix.rank', format.ordinal(known.rank), comparison.pairs) : ' ';
+  const { pairs } = comparison;
+  const rankOf = (rank: number): string =>
+    pairs === 1 ? t('matrix.rank.only') : t('matrix.rank', format.ordinal(rank), pairs);
+  const rank = known ? rankOf(known.rank) : ' ';
   return html`<strong class="tip-distance">${distance}</strong>
     <span class="tip-rank">${rank}${known?.mirrored ? ` · ${t('matrix.mirrored')}` : nothing}</span>
     <span class="tip-key"><kbd>↵</kbd>${t('matrix.open')}</span>`;
@@ -135,5 +139,6 @@ export function spokenPair(
   if (!known) return t('matrix.pair.unranked', nameA, nameB, '…');
   const distance = distanceNumber(format, known.distance);
   const { pairs } = scene.comparison;
+  if (pairs === 1) return t('matrix.pair.unranked', nameA, nameB, distance);
   return t('matrix.pair', nameA, nameB, distance, format.ordinal(known.rank), pairs);
 }

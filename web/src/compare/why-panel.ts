@@ -8,7 +8,7 @@ import type { Explanation, Neighbour } from '../engine/comparison-types';
 import type { ClipId } from '../engine/types';
 import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 import type { FlatFigure } from '../figure/flat-figure';
-import { mirrorSign, namedMark, type LabelOf, type NameOf } from './clip-words';
+import { mirrorSign, namedMark, nameLine, type LabelOf, type NameOf } from './clip-words';
 import { componentBars } from './component-bars';
 import { distanceNumber } from './distance-number';
 import { paintedBody } from './painted-body';
@@ -60,7 +60,7 @@ function pairStrips(props: WhyPanelProps): TemplateResult {
     const label = clip && labelOf(clip.id);
     return html`<div>
       <p class="pair-name" title=${nameOf(clip)}>
-        ${label ? labelMark(label.index) : nothing}<b>${nameOf(clip)}</b
+        ${label ? labelMark(label.index) : nothing}<b>${nameLine(nameOf(clip))}</b
         ><span class="quiet">${label?.name}</span>
       </p>
       ${strip(figures, scale, groundY)}
@@ -104,7 +104,7 @@ function card(props: WhyPanelProps, { clip: id, distance, mirrored }: Neighbour)
       @click=${() => onNeighbour(id)}
     >
       <svg viewBox="0 0 ${cardWidth} ${cardHeight}" aria-hidden="true" ${drawn(figure, draw)}></svg>
-      <span class="near-name">${namedMark(labelOf(id))}<span>${nameOf(clip)}</span></span>
+      <span class="near-name">${namedMark(labelOf(id))}${nameLine(nameOf(clip))}</span>
       <span class="near-distance"
         >${distanceNumber(words.format, distance)}${mirrored ? mirrorSign(words) : nothing}</span
       >

@@ -107,30 +107,28 @@ function labelOf({ words: { t }, label, grouped }: RowProps): TemplateResult | t
   >`;
 }
 
+/** A number that is seen, and the words with it that are spoken and shown by its tip. */
+const counted = (number: string, words: string): TemplateResult =>
+  html`<span aria-hidden="true">${number}</span><span class="spoken"> ${words}</span>`;
+
 function counts({ words: { t, format }, clip }: RowProps): TemplateResult {
   const notes = clip.result ? notesOf(clip.result) : [];
   const warnings = warningsAmong(notes);
   const keyposes = keyposeCount(clip);
+  const about = warnings > 0 ? t('notes.warnings', warnings) : t('library.notes', notes.length);
   return html`<span class="clip-counts">
     ${
       isAnalysed(clip)
         ? html`<span class="count" title=${t('library.keyposes', keyposes)}
-            ><i class="keypose-dot"></i>${format.integer(keyposes)}<span class="spoken">
-              ${t('library.keyposes', keyposes)}</span
-            ></span
+            ><i class="keypose-dot"></i
+            >${counted(format.integer(keyposes), t('library.keyposes', keyposes))}</span
           >`
         : nothing
     }
     ${
       notes.length > 0
-        ? html`<span
-            class="badge ${warnings > 0 ? 'warning' : ''}"
-            title=${t('library.notes', warnings || notes.length)}
-            >${icon(warnings > 0 ? 'triangle-alert' : 'info', 12)}${format.integer(warnings || notes.length)}<span
-              class="spoken"
-            >
-              ${t('library.notes', notes.length)}</span
-            ></span
+        ? html`<span class="badge ${warnings > 0 ? 'warning' : ''}" title=${about}
+            >${icon(warnings > 0 ? 'triangle-alert' : 'info', 12)}${counted(format.integer(warnings || notes.length), about)}</span
           >`
         : nothing
     }

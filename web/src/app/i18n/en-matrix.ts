@@ -35,6 +35,7 @@ export const englishMatrix = {
   'matrix.pair.unranked': '{0} with {1}, {2}',
   'matrix.itself': '{0} with itself',
   'matrix.rank': '{0} of {1} pairs',
+  'matrix.rank.only': 'the only pair',
   'matrix.with': 'with',
   'matrix.open': 'open',
   'matrix.mirrored': 'mirrored',

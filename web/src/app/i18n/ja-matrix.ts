@@ -36,6 +36,7 @@ export const japaneseMatrix: Readonly<Record<keyof typeof englishMatrix, Message
   'matrix.pair.unranked': '{0} と {1}、{2}',
   'matrix.itself': '{0} 自身',
   'matrix.rank': '{1} 組中 {0} 番目',
+  'matrix.rank.only': 'ただ一つの組',
   'matrix.with': 'と',
   'matrix.open': '開く',
   'matrix.mirrored': '左右反転',
