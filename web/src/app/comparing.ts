@@ -1,8 +1,8 @@
 /**
  * The comparison follows the store: features of clips in as they become known, what is known of the set
  * out. While files are still being read it is made again as the set grows; at the end it covers all.
- * Meanwhile nothing moves on the map: what arrives is placed among what is there, and the end lays out
- * all of it.
+ * Meanwhile nothing moves on the map, unless it would show too little: what arrives is placed among what
+ * is there, and the end lays out all of it.
  */
 import { batch, effect } from '@preact/signals-core';
 import type { ClipFeature, Comparer, Comparison, Cut } from '../engine/comparison-types';

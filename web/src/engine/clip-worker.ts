@@ -3,7 +3,7 @@
  * Every request carries all that is needed to begin again, so that nothing depends on its history.
  */
 import { transfer } from 'comlink';
-import type { PostureSequence } from './comparison-types';
+import type { PostureSequence } from './clip-feature';
 import { failureOf } from './failures';
 import { failureIn, readingError } from './failure-in';
 import { buffersOf } from './handing-over';

@@ -10,24 +10,7 @@ import {
   featureLength,
   packFeature,
 } from './comparison-protocol';
-import type {
-  ClipFeature,
-  CompareOptions,
-  Comparer,
-  Comparison,
-  ComparisonExportKind,
-  ComparisonSettings,
-  Cut,
-  Evaluation,
-  Explanation,
-  LabelledCut,
-  MapPlaces,
-  MatrixPicture,
-  MatrixRegion,
-  Neighbour,
-  Warping,
-  WarpSettings,
-} from './comparison-types';
+import type * as Compare from './comparison-types';
 import { failureOf } from './failures';
 import { Pool } from './pool';
 import { type Remote, type Spawn, type Task, TaskFailed, WorkerLost } from './pool-task';
@@ -46,29 +29,32 @@ const ATTEMPTS = 3;
 /** What a comparer needs of the engine. */
 export type PostureSource = Pick<Engine, 'postures'>;
 
-export function createComparer(engine: PostureSource, spawn: Spawn<ComparisonApi>): Comparer {
+export function createComparer(
+  engine: PostureSource,
+  spawn: Spawn<ComparisonApi>,
+): Compare.Comparer {
   return new WorkerComparer(engine, spawn);
 }
 
 interface Told {
   readonly name: string;
-  readonly feature: ClipFeature;
+  readonly feature: Compare.ClipFeature;
 }
 
 /** What is to be compared, of which clips. */
 interface Wanted {
-  readonly settings: ComparisonSettings;
+  readonly settings: Compare.ComparisonSettings;
   readonly clips: ReadonlyMap<ClipId, Told>;
 }
 
 /** A comparison with all that is needed to make it again, its map as it lay. */
 interface Compared extends Wanted {
-  readonly map: MapPlaces;
+  readonly map: Compare.MapPlaces;
 }
 
 type Run<T> = Task<T, ComparisonApi>['run'];
 
-class WorkerComparer implements Comparer {
+class WorkerComparer implements Compare.Comparer {
   private readonly engine: PostureSource;
   private readonly pool: Pool<ComparisonApi>;
   private readonly features = new Map<ClipId, Told>();
@@ -86,56 +72,60 @@ class WorkerComparer implements Comparer {
     this.pool = new Pool(spawn, 1, () => this.forget());
   }
 
-  setFeature(clip: ClipId, name: string, feature: ClipFeature | null): void {
+  setFeature(clip: ClipId, name: string, feature: Compare.ClipFeature | null): void {
     if (feature === null) this.features.delete(clip);
     else this.features.set(clip, { name, feature });
   }
 
   async compare(
-    settings: ComparisonSettings,
-    { keepsPlaces = false, ...work }: CompareOptions = {},
-  ): Promise<Comparison> {
+    settings: Compare.ComparisonSettings,
+    { keepsPlaces = false, ...work }: Compare.CompareOptions = {},
+  ): Promise<Compare.Comparison> {
     this.run.abort();
     this.run = new AbortController();
     const signal = anyOf(this.run.signal, work.signal);
     return this.comparison({ settings, clips: this.features }, keepsPlaces, { ...work, signal });
   }
 
-  arrivals(): Promise<MapPlaces> {
+  arrivals(): Promise<Compare.MapPlaces> {
     const tellAll = (): Promise<void> => this.inTurn(() => this.tell(this.features));
     return this.ask((api, job) => api.arrivals(job), {}, tellAll);
   }
 
-  cut(clusters: number): Promise<Cut> {
+  cut(clusters: number): Promise<Compare.Cut> {
     return this.ask((api, job) => api.cut(job, clusters));
   }
 
-  picture(region: MatrixRegion, work?: WorkOptions): Promise<MatrixPicture> {
+  picture(region: Compare.MatrixRegion, work?: WorkOptions): Promise<Compare.MatrixPicture> {
     return this.ask((api, job) => api.picture(job, region), work);
   }
 
-  explain(a: ClipId, b: ClipId, work?: WorkOptions): Promise<Explanation> {
+  explain(a: ClipId, b: ClipId, work?: WorkOptions): Promise<Compare.Explanation> {
     return this.ask((api, job) => api.explain(job, a, b), work);
   }
 
-  neighbours(clip: ClipId, most: number): Promise<readonly Neighbour[]> {
+  neighbours(clip: ClipId, most: number): Promise<readonly Compare.Neighbour[]> {
     return this.ask((api, job) => api.neighbours(job, clip, most));
   }
 
-  evaluate(labelled: LabelledCut, work?: WorkOptions): Promise<Evaluation> {
+  evaluate(labelled: Compare.LabelledCut, work?: WorkOptions): Promise<Compare.Evaluation> {
     return this.ask((api, job) => api.evaluate(job, labelled), work);
   }
 
-  exportFile(kind: ComparisonExportKind, labelled: LabelledCut, work?: WorkOptions): Promise<Blob> {
+  exportFile(
+    kind: Compare.ComparisonExportKind,
+    labelled: Compare.LabelledCut,
+    work?: WorkOptions,
+  ): Promise<Blob> {
     return this.ask((api, job) => api.exportFile(job, kind, labelled), work);
   }
 
   async warp(
     a: ClipId,
     b: ClipId,
-    settings: WarpSettings,
+    settings: Compare.WarpSettings,
     work: WorkOptions = {},
-  ): Promise<Warping> {
+  ): Promise<Compare.Warping> {
     return this.again(async () => {
       const [one, other] = await Promise.all([this.postures(a, work), this.postures(b, work)]);
       return this.start((api, job) => api.warp(job, one, other, settings), work);
@@ -170,7 +160,7 @@ class WorkerComparer implements Comparer {
     { settings, clips }: Wanted,
     keepsPlaces: boolean,
     work: WorkOptions = {},
-  ): Promise<Comparison> {
+  ): Promise<Compare.Comparison> {
     return this.again(async () => {
       const answer = await this.inTurn(async () => {
         await this.tell(clips, work.signal);
@@ -184,7 +174,7 @@ class WorkerComparer implements Comparer {
     });
   }
 
-  private keep(settings: ComparisonSettings, { clips, map }: Comparison): void {
+  private keep(settings: Compare.ComparisonSettings, { clips, map }: Compare.Comparison): void {
     const toldOf = (clip: ClipId): readonly (readonly [ClipId, Told])[] => {
       const told = this.told.get(clip);
       return told ? [[clip, told]] : [];

@@ -2,23 +2,7 @@
  * What the page and the comparison's worker say to each other: plain data and typed arrays. Features
  * are told once; every request but `tell`, `compare` and `warp` speaks of the comparison made last.
  */
-import type {
-  ClipFeature,
-  Comparison,
-  ComparisonExportKind,
-  ComparisonSettings,
-  Cut,
-  Evaluation,
-  Explanation,
-  LabelledCut,
-  MapPlaces,
-  MatrixPicture,
-  MatrixRegion,
-  Neighbour,
-  PostureSequence,
-  Warping,
-  WarpSettings,
-} from './comparison-types';
+import type * as Compare from './comparison-types';
 import type { JobId, Outcome, WorkerListener } from './protocol';
 import type { ClipId } from './types';
 
@@ -35,7 +19,7 @@ export interface FeatureNews {
 export interface MapPlan {
   readonly keepsPlaces: boolean;
   /** Where clips lay on a map made by another worker; null: this one knows. */
-  readonly known: MapPlaces | null;
+  readonly known: Compare.MapPlaces | null;
 }
 
 /** What a comparison's worker does. Every method but `cancel` ends with an outcome. */
@@ -44,20 +28,32 @@ export interface ComparisonApi {
   cancel(job: JobId): void;
   tell(job: JobId, news: FeatureNews): Promise<Outcome<null>>;
   /** Compares the clips told so far. */
-  compare(job: JobId, settings: ComparisonSettings, plan: MapPlan): Promise<Outcome<Comparison>>;
-  arrivals(job: JobId): Promise<Outcome<MapPlaces>>;
-  cut(job: JobId, clusters: number): Promise<Outcome<Cut>>;
-  picture(job: JobId, region: MatrixRegion): Promise<Outcome<MatrixPicture>>;
-  explain(job: JobId, a: ClipId, b: ClipId): Promise<Outcome<Explanation>>;
-  neighbours(job: JobId, clip: ClipId, most: number): Promise<Outcome<readonly Neighbour[]>>;
-  evaluate(job: JobId, labelled: LabelledCut): Promise<Outcome<Evaluation>>;
-  exportFile(job: JobId, kind: ComparisonExportKind, labelled: LabelledCut): Promise<Outcome<Blob>>;
+  compare(
+    job: JobId,
+    settings: Compare.ComparisonSettings,
+    plan: MapPlan,
+  ): Promise<Outcome<Compare.Comparison>>;
+  arrivals(job: JobId): Promise<Outcome<Compare.MapPlaces>>;
+  cut(job: JobId, clusters: number): Promise<Outcome<Compare.Cut>>;
+  picture(job: JobId, region: Compare.MatrixRegion): Promise<Outcome<Compare.MatrixPicture>>;
+  explain(job: JobId, a: ClipId, b: ClipId): Promise<Outcome<Compare.Explanation>>;
+  neighbours(
+    job: JobId,
+    clip: ClipId,
+    most: number,
+  ): Promise<Outcome<readonly Compare.Neighbour[]>>;
+  evaluate(job: JobId, labelled: Compare.LabelledCut): Promise<Outcome<Compare.Evaluation>>;
+  exportFile(
+    job: JobId,
+    kind: Compare.ComparisonExportKind,
+    labelled: Compare.LabelledCut,
+  ): Promise<Outcome<Blob>>;
   warp(
     job: JobId,
-    a: PostureSequence,
-    b: PostureSequence,
-    settings: WarpSettings,
-  ): Promise<Outcome<Warping>>;
+    a: Compare.PostureSequence,
+    b: Compare.PostureSequence,
+    settings: Compare.WarpSettings,
+  ): Promise<Outcome<Compare.Warping>>;
 }
 
 const jointValues = 16 * 12;
@@ -66,7 +62,7 @@ const jointValues = 16 * 12;
 export const featureLength = 2 * 12 + 2 * jointValues;
 
 /** Writes a feature into its place among packed ones. */
-export function packFeature(feature: ClipFeature, into: Float64Array, index: number): void {
+export function packFeature(feature: Compare.ClipFeature, into: Float64Array, index: number): void {
   const at = index * featureLength;
   into.set(feature.recorded, at);
   into.set(feature.acrossRigs, at + 12);
@@ -75,7 +71,11 @@ export function packFeature(feature: ClipFeature, into: Float64Array, index: num
 }
 
 /** The feature at a place among packed ones; its arrays are parts of the packed one. */
-export function unpackFeature(packed: Float64Array, index: number, performer: number): ClipFeature {
+export function unpackFeature(
+  packed: Float64Array,
+  index: number,
+  performer: number,
+): Compare.ClipFeature {
   const part = (at: number, length: number): Float64Array =>
     packed.subarray(index * featureLength + at, index * featureLength + at + length);
   return {

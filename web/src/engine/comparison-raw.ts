@@ -2,23 +2,7 @@
  * The only file that imports the generated bindings of the comparison; what comes out are copies that
  * JavaScript owns. Clips are known by their ids, items by their place in the comparison made last.
  */
-import type {
-  ClipFeature,
-  Comparison,
-  ComparisonExportKind,
-  ComparisonSettings,
-  Cut,
-  Evaluation,
-  Explanation,
-  LabelledCut,
-  MapPlaces,
-  MatrixPicture,
-  MatrixRegion,
-  Neighbour,
-  PostureSequence,
-  Warping,
-  WarpSettings,
-} from './comparison-types';
+import type * as Compare from './comparison-types';
 import { refusing } from './core-failure';
 import init, { ComparisonHandle, initSync, WarpHandle } from './generated/comparison_wasm';
 import { bodyParts, type BodyPart, type ClipId } from './types';
@@ -27,30 +11,34 @@ import { bodyParts, type BodyPart, type ClipId } from './types';
 export interface ComparisonCore {
   /** A set of its own; whoever makes it frees it, once. */
   newSet(): CoreSet;
-  newWarping(a: PostureSequence, b: PostureSequence, settings: WarpSettings): CoreWork<Warping>;
+  newWarping(
+    a: Compare.PostureSequence,
+    b: Compare.PostureSequence,
+    settings: Compare.WarpSettings,
+  ): CoreWork<Compare.Warping>;
   /** Bytes of the WebAssembly memory; it never shrinks. */
   memoryBytes(): number;
 }
 
 /** Clips and their comparison; all but the first five speak of the one made last. */
 export interface CoreSet {
-  setFeature(clip: ClipId, name: string, feature: ClipFeature): void;
+  setFeature(clip: ClipId, name: string, feature: Compare.ClipFeature): void;
   removeFeatures(clips: Int32Array): void;
   /** Where clips lay on a map made elsewhere. */
-  recallPlaces(known: MapPlaces): void;
-  begin(settings: ComparisonSettings, keepsPlaces: boolean): void;
+  recallPlaces(known: Compare.MapPlaces): void;
+  begin(settings: Compare.ComparisonSettings, keepsPlaces: boolean): void;
   /** A few milliseconds of work. Returns the part done; 1 when the comparison is there. */
   step(): number;
   free(): void;
-  comparison(settings: ComparisonSettings): Comparison;
+  comparison(settings: Compare.ComparisonSettings): Compare.Comparison;
   /** Clips that it does not cover, on its map. */
-  arrivals(): MapPlaces;
-  cut(clusters: number): Cut;
-  neighbours(clip: ClipId, most: number): readonly Neighbour[];
-  picture(region: MatrixRegion): CoreWork<MatrixPicture>;
-  explain(a: ClipId, b: ClipId): CoreWork<Explanation>;
-  evaluate(labelled: LabelledCut): CoreWork<Evaluation>;
-  file(kind: ComparisonExportKind, labelled: LabelledCut): CoreWork<Blob>;
+  arrivals(): Compare.MapPlaces;
+  cut(clusters: number): Compare.Cut;
+  neighbours(clip: ClipId, most: number): readonly Compare.Neighbour[];
+  picture(region: Compare.MatrixRegion): CoreWork<Compare.MatrixPicture>;
+  explain(a: ClipId, b: ClipId): CoreWork<Compare.Explanation>;
+  evaluate(labelled: Compare.LabelledCut): CoreWork<Compare.Evaluation>;
+  file(kind: Compare.ComparisonExportKind, labelled: Compare.LabelledCut): CoreWork<Blob>;
 }
 
 /** Work of the core in pieces; whoever begins it frees it, once. It speaks of what was when it began. */
@@ -75,7 +63,7 @@ export async function loadComparisonCore(wasm?: Uint8Array<ArrayBuffer>): Promis
 class WasmSet implements CoreSet {
   private readonly handle = new ComparisonHandle();
 
-  setFeature(clip: ClipId, name: string, feature: ClipFeature): void {
+  setFeature(clip: ClipId, name: string, feature: Compare.ClipFeature): void {
     const { recorded, acrossRigs, recordedByJoint, acrossRigsByJoint } = feature;
     refusing(() =>
       this.handle.setFeature(clip, name, recorded, acrossRigs, recordedByJoint, acrossRigsByJoint),
@@ -86,11 +74,11 @@ class WasmSet implements CoreSet {
     this.handle.removeFeatures(clips);
   }
 
-  recallPlaces({ clips, places }: MapPlaces): void {
+  recallPlaces({ clips, places }: Compare.MapPlaces): void {
     clips.forEach((clip, k) => this.handle.recallPlace(clip, places[2 * k], places[2 * k + 1]));
   }
 
-  begin(settings: ComparisonSettings, keepsPlaces: boolean): void {
+  begin(settings: Compare.ComparisonSettings, keepsPlaces: boolean): void {
     refusing(() => this.handle.begin(settings, keepsPlaces));
   }
 
@@ -98,7 +86,7 @@ class WasmSet implements CoreSet {
     return refusing(() => this.handle.step());
   }
 
-  comparison(settings: ComparisonSettings): Comparison {
+  comparison(settings: Compare.ComparisonSettings): Compare.Comparison {
     const { handle } = this;
     return refusing(() => {
       const [pairs, automaticClusters, legendMaximum, maximum, spread] = handle.numbers();
@@ -118,11 +106,11 @@ class WasmSet implements CoreSet {
     });
   }
 
-  arrivals(): MapPlaces {
+  arrivals(): Compare.MapPlaces {
     return { clips: this.handle.arrivals(), places: this.handle.arrivalPlaces() };
   }
 
-  cut(clusters: number): Cut {
+  cut(clusters: number): Compare.Cut {
     return refusing(() => {
       const clusterOfItem = this.handle.cut(clusters);
       const found = clusterOfItem.reduce((most, one) => Math.max(most, one + 1), 0);
@@ -130,7 +118,7 @@ class WasmSet implements CoreSet {
     });
   }
 
-  picture({ order, most, ...region }: MatrixRegion): CoreWork<MatrixPicture> {
+  picture({ order, most, ...region }: Compare.MatrixRegion): CoreWork<Compare.MatrixPicture> {
     const rows = order.subarray(region.firstRow, region.firstRow + region.rowCount);
     const columns = order.subarray(region.firstColumn, region.firstColumn + region.columnCount);
     const handle = refusing(() => this.handle.picture(rows, columns, most));
@@ -141,22 +129,25 @@ class WasmSet implements CoreSet {
     }));
   }
 
-  explain(a: ClipId, b: ClipId): CoreWork<Explanation> {
+  explain(a: ClipId, b: ClipId): CoreWork<Compare.Explanation> {
     const handle = refusing(() => this.handle.explain(a, b));
     return workOf(handle, () => explanationOf(a, b, handle.text()));
   }
 
-  neighbours(clip: ClipId, most: number): readonly Neighbour[] {
-    return JSON.parse(refusing(() => this.handle.neighbours(clip, most))) as Neighbour[];
+  neighbours(clip: ClipId, most: number): readonly Compare.Neighbour[] {
+    return JSON.parse(refusing(() => this.handle.neighbours(clip, most))) as Compare.Neighbour[];
   }
 
-  evaluate({ clusters, labels }: LabelledCut): CoreWork<Evaluation> {
+  evaluate({ clusters, labels }: Compare.LabelledCut): CoreWork<Compare.Evaluation> {
     const { names, numbers } = numbered(labels);
     const handle = refusing(() => this.handle.evaluate(numbers, clusters));
     return workOf(handle, () => evaluationOf(names, handle.takeText()));
   }
 
-  file(kind: ComparisonExportKind, { clusters, labels }: LabelledCut): CoreWork<Blob> {
+  file(
+    kind: Compare.ComparisonExportKind,
+    { clusters, labels }: Compare.LabelledCut,
+  ): CoreWork<Blob> {
     const { names, numbers } = numbered(labels);
     const handle = refusing(() => this.handle.file(kind, names, numbers, clusters));
     // A Blob is not kept in the memory of the worker: a large file may be larger than that.
@@ -175,7 +166,7 @@ class WasmSet implements CoreSet {
   }
 }
 
-function treeOf(handle: ComparisonHandle): Comparison['tree'] {
+function treeOf(handle: ComparisonHandle): Compare.Comparison['tree'] {
   return {
     left: handle.left(),
     right: handle.right(),
@@ -201,12 +192,12 @@ function numbered(labels: readonly (string | null)[]): {
   return { names: [...places.keys()], numbers };
 }
 
-interface ExplanationText extends Omit<Explanation, 'a' | 'b' | 'shares' | 'partShares'> {
+interface ExplanationText extends Omit<Compare.Explanation, 'a' | 'b' | 'shares' | 'partShares'> {
   readonly shares: readonly number[];
   readonly partShares: readonly number[];
 }
 
-function explanationOf(a: ClipId, b: ClipId, text: string): Explanation {
+function explanationOf(a: ClipId, b: ClipId, text: string): Compare.Explanation {
   const { partShares, shares, ...rest } = JSON.parse(text) as ExplanationText;
   const ofParts = bodyParts.map((part, index) => [part, partShares[index] ?? 0] as const);
   return {
@@ -218,11 +209,11 @@ function explanationOf(a: ClipId, b: ClipId, text: string): Explanation {
   };
 }
 
-interface EvaluationText extends Omit<Evaluation, 'labels' | 'single'> {
+interface EvaluationText extends Omit<Compare.Evaluation, 'labels' | 'single'> {
   readonly single: readonly number[];
 }
 
-function evaluationOf(labels: readonly string[], text: string): Evaluation {
+function evaluationOf(labels: readonly string[], text: string): Compare.Evaluation {
   const { single, ...rest } = JSON.parse(text) as EvaluationText;
   return { ...rest, labels, single: single.map((label) => labels[label] ?? '') };
 }
@@ -238,10 +229,10 @@ function workOf<T>(handle: { step(): number; free(): void }, result: () => T): C
 
 /** The core counts from the first posture, the page from the file's first frame. */
 function warpingOf(
-  a: PostureSequence,
-  b: PostureSequence,
-  { band, mirrorB }: WarpSettings,
-): CoreWork<Warping> {
+  a: Compare.PostureSequence,
+  b: Compare.PostureSequence,
+  { band, mirrorB }: Compare.WarpSettings,
+): CoreWork<Compare.Warping> {
   const handle = refusing(() => new WarpHandle(a.values, b.values, band, mirrorB));
   return workOf(handle, () => ({
     distance: handle.distance(),

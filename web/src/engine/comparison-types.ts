@@ -2,26 +2,10 @@
  * What crosses between the comparison and the app: plain data and typed arrays. An *item* is a clip
  * that can be compared; items count from 0 in the order in which their clips arrived.
  */
+import type { ClipFeature } from './clip-feature';
 import type { BodyPart, ClipId, WorkOptions } from './types';
 
-/** What a comparison needs of a clip: the features of its first human performer. */
-export interface ClipFeature {
-  readonly performer: number;
-  /** 12 numbers in squared body heights: means of σxx σyy σzz σxy σyz σzx, then deviations. */
-  readonly recorded: Float64Array;
-  /** The same on a body of standard lengths. */
-  readonly acrossRigs: Float64Array;
-  /** 16 joints × 12: what each joint adds. */
-  readonly recordedByJoint: Float64Array;
-  readonly acrossRigsByJoint: Float64Array;
-}
-
-/** The postures of one performer in time, and the frame of the file where they begin. */
-export interface PostureSequence {
-  readonly firstFrame: number;
-  /** Frames × 16 joints × 3, in body heights. */
-  readonly values: Float64Array;
-}
+export type { ClipFeature, PostureSequence } from './clip-feature';
 
 /** Every distance there is; a new one is a line here, in the core and in the catalogue. */
 export const measures = ['posture-variation'] as const;

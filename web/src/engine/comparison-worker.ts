@@ -6,22 +6,7 @@ import { transfer } from 'comlink';
 import type { ComparisonApi, FeatureNews, MapPlan } from './comparison-protocol';
 import { unpackFeature } from './comparison-protocol';
 import type { ComparisonCore, CoreSet, CoreWork } from './comparison-raw';
-import type {
-  Comparison,
-  ComparisonExportKind,
-  ComparisonSettings,
-  Cut,
-  Evaluation,
-  Explanation,
-  LabelledCut,
-  MapPlaces,
-  MatrixPicture,
-  MatrixRegion,
-  Neighbour,
-  PostureSequence,
-  Warping,
-  WarpSettings,
-} from './comparison-types';
+import type * as Compare from './comparison-types';
 import { CoreFailure } from './core-failure';
 import { failureOf } from './failures';
 import { buffersOf } from './handing-over';
@@ -64,9 +49,9 @@ export class ComparisonWorker implements ComparisonApi {
 
   compare(
     job: JobId,
-    settings: ComparisonSettings,
+    settings: Compare.ComparisonSettings,
     { keepsPlaces, known }: MapPlan,
-  ): Promise<Outcome<Comparison>> {
+  ): Promise<Outcome<Compare.Comparison>> {
     return this.outcome(job, (set) => {
       const work = this.comparing.then(async () => {
         await this.jobs.turn(job);
@@ -80,44 +65,48 @@ export class ComparisonWorker implements ComparisonApi {
     });
   }
 
-  arrivals(job: JobId): Promise<Outcome<MapPlaces>> {
+  arrivals(job: JobId): Promise<Outcome<Compare.MapPlaces>> {
     return this.outcome(job, (set) => set.arrivals());
   }
 
-  cut(job: JobId, clusters: number): Promise<Outcome<Cut>> {
+  cut(job: JobId, clusters: number): Promise<Outcome<Compare.Cut>> {
     return this.outcome(job, (set) => set.cut(clusters));
   }
 
-  picture(job: JobId, region: MatrixRegion): Promise<Outcome<MatrixPicture>> {
+  picture(job: JobId, region: Compare.MatrixRegion): Promise<Outcome<Compare.MatrixPicture>> {
     return this.outcome(job, (set) => this.worked(job, set.picture(region)));
   }
 
-  explain(job: JobId, a: ClipId, b: ClipId): Promise<Outcome<Explanation>> {
+  explain(job: JobId, a: ClipId, b: ClipId): Promise<Outcome<Compare.Explanation>> {
     return this.outcome(job, (set) => this.worked(job, set.explain(a, b)));
   }
 
-  neighbours(job: JobId, clip: ClipId, most: number): Promise<Outcome<readonly Neighbour[]>> {
+  neighbours(
+    job: JobId,
+    clip: ClipId,
+    most: number,
+  ): Promise<Outcome<readonly Compare.Neighbour[]>> {
     return this.outcome(job, (set) => set.neighbours(clip, most));
   }
 
-  evaluate(job: JobId, labelled: LabelledCut): Promise<Outcome<Evaluation>> {
+  evaluate(job: JobId, labelled: Compare.LabelledCut): Promise<Outcome<Compare.Evaluation>> {
     return this.outcome(job, (set) => this.worked(job, set.evaluate(labelled)));
   }
 
   exportFile(
     job: JobId,
-    kind: ComparisonExportKind,
-    labelled: LabelledCut,
+    kind: Compare.ComparisonExportKind,
+    labelled: Compare.LabelledCut,
   ): Promise<Outcome<Blob>> {
     return this.outcome(job, (set) => this.worked(job, set.file(kind, labelled)));
   }
 
   warp(
     job: JobId,
-    a: PostureSequence,
-    b: PostureSequence,
-    settings: WarpSettings,
-  ): Promise<Outcome<Warping>> {
+    a: Compare.PostureSequence,
+    b: Compare.PostureSequence,
+    settings: Compare.WarpSettings,
+  ): Promise<Outcome<Compare.Warping>> {
     return this.outcome(job, (_, core) => this.worked(job, core.newWarping(a, b, settings)));
   }
 

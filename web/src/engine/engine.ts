@@ -2,7 +2,7 @@
  * The one door to the workers: clips by their id go in, promises of results come out. A clip lives in
  * one worker; what a worker lost is read again from the clip's Blob when it is next needed.
  */
-import type { PostureSequence } from './comparison-types';
+import type { PostureSequence } from './clip-feature';
 import { failureOf } from './failures';
 import { MotionMemory } from './motion-memory';
 import { Pool } from './pool';

@@ -1,7 +1,7 @@
 /**
  * What the engine and its workers say to each other: plain data, typed arrays and Blobs.
  */
-import type { PostureSequence } from './comparison-types';
+import type { PostureSequence } from './clip-feature';
 import type {
   ClipId,
   ClipResult,

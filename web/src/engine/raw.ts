@@ -10,7 +10,7 @@ import init, {
   methodDefaults,
   sampleCatalogue,
 } from './generated/motion_wasm';
-import type { ClipFeature } from './comparison-types';
+import type { ClipFeature } from './clip-feature';
 import { refusing } from './core-failure';
 import type {
   ClipResult,

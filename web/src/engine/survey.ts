@@ -2,7 +2,7 @@
  * Many clips in, one after another; what comparing needs of each out. A clip's motion is freed before
  * the next one is read, and the bytes of the next ones arrive meanwhile.
  */
-import type { PostureSequence } from './comparison-types';
+import type { PostureSequence } from './clip-feature';
 import { featureLength, packFeature } from './comparison-protocol';
 import { failureIn, readingError } from './failure-in';
 import { incomparableOf } from './failures';

@@ -2,8 +2,7 @@
  * What crosses between the engine and the app: plain data and typed arrays, owned by JavaScript.
  * Frames count from 0 in the file; times are seconds; positions are in file units and world axes.
  */
-
-import type { ClipFeature, PostureSequence } from './comparison-types';
+import type { ClipFeature, PostureSequence } from './clip-feature';
 
 /** Names of the principal joints and hips, as everywhere in Keypose's output. */
 export type Role =
