@@ -103,7 +103,7 @@ impl ComparisonHandle {
     }
 
     /// Makes ready to compare the clips told so far. With `keeps_places` the map's clips stay where they
-    /// lie, unless they were laid out by another distance. Throws the failure of settings that cannot be.
+    /// lie, unless they were laid out by another distance or would show too little. Throws the failure of settings that cannot be.
     pub fn begin(&mut self, settings: &JsSettings, keeps_places: bool) -> Result<(), JsError> {
         let settings = settings::settings(settings)?;
         // Its memory goes first: that of all pairs is much.
@@ -292,10 +292,12 @@ impl ComparisonHandle {
         let clips = run.clips;
         let (mut comparison, room) = run.run.finish_with_room();
         self.room = room;
-        comparison.map = match run.keeps_places {
-            true => self.places.keep(comparison.map, &clips),
-            false => self.places.lay_out(&comparison, &clips, &self.clips),
+        let kept = match run.keeps_places {
+            true => self.places.keep(comparison.map.clone(), &clips),
+            false => None,
         };
+        comparison.map =
+            kept.unwrap_or_else(|| self.places.lay_out(&comparison, &clips, &self.clips));
         self.compared = Some(Rc::new(Compared { comparison, clips }));
     }
 

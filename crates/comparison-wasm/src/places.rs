@@ -42,16 +42,15 @@ impl Places {
         layout.is_some_and(|layout| layout.distance() == distance)
     }
 
-    /// The map of these clips, with each where it lies.
-    pub fn keep(&self, map: Map, clips: &[NamedClip]) -> Map {
-        let Some(layout) = &self.layout else {
-            return map;
-        };
+    /// The map of these clips, with each where it lies; none without a layout, or where that shows too
+    /// little of them.
+    pub fn keep(&self, map: Map, clips: &[NamedClip]) -> Option<Map> {
+        let layout = self.layout.as_ref()?;
         let place = |clip: &NamedClip| {
             let lies = self.of(clip);
             lies.unwrap_or_else(|| layout.place(&clip.feature))
         };
-        map.with_places(clips.iter().map(place).collect())
+        map.kept_at(clips.iter().map(place).collect())
     }
 
     /// A clip lay here on a map that was made elsewhere.

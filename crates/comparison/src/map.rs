@@ -23,6 +23,10 @@ pub use scaling::of_vectors;
 /// A place on the map; unit and scale are those of the distance.
 pub type Place = [f64; 2];
 
+/// Clips stay where they lie while that shows at least this part of what a map of their own would. Sets
+/// in an order without a pattern stay above 0.75; a kind that comes after all of another falls to 0.2.
+const LEAST_KEPT: f64 = 0.7;
+
 /// Items in the plane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
@@ -40,7 +44,24 @@ impl Map {
     /// The same items at other places, one for each, with the part of the spread that is seen there.
     #[must_use]
     pub fn with_places(self, places: Vec<Place>) -> Self {
-        let middle = middle(&places);
+        Self {
+            spread: self.spread_at(&places),
+            places,
+            ..self
+        }
+    }
+
+    /// The same items at other places; none if so little of what the map shows is seen there that it
+    /// is worth more than that they stay.
+    #[must_use]
+    pub fn kept_at(self, places: Vec<Place>) -> Option<Self> {
+        let (own, kept) = (self.spread_at(&self.places), self.spread_at(&places));
+        (kept >= LEAST_KEPT * own).then(|| self.with_places(places))
+    }
+
+    /// The part of the spread that is seen at such places of the items.
+    fn spread_at(&self, places: &[Place]) -> f64 {
+        let middle = middle(places);
         let square = |place: &Place| {
             let [x, y] = minus(*place, middle);
             x * x + y * y
@@ -48,14 +69,9 @@ impl Map {
         let add = |sum: f64, square: f64| sum + square;
         let seen = places.iter().map(square).fold(0.0, add);
         let all = self.squares_from_middle.iter().copied().fold(0.0, add);
-        Self {
-            places,
-            spread: if all > 0.0 {
-                (seen / all).min(1.0)
-            } else {
-                1.0
-            },
-            ..self
+        match all > 0.0 {
+            true => (seen / all).min(1.0),
+            false => 1.0,
         }
     }
 }
@@ -78,7 +94,32 @@ mod tests {
         let on_a_line = map.places.iter().map(|[x, _]| [*x, 3.0]).collect();
         let line = map.clone().with_places(on_a_line);
         assert!(line.spread < map.spread - 0.01);
+        assert!(map.clone().kept_at(map.places.clone()).is_some());
         let none = of_vectors(&[]).with_places(Vec::new());
         assert_eq!(none.spread.to_bits(), 1.0_f64.to_bits());
+    }
+
+    /// Items along one component, then others far along another: seen from the first plane the second
+    /// kind lies in a heap.
+    #[test]
+    fn places_that_show_too_little_are_not_kept() {
+        let vector = |k: usize, other_kind: f64| {
+            let mut vector = [0.0; 12];
+            (vector[0], vector[1], vector[2]) = ((k % 7) as f64, (k % 5) as f64, other_kind);
+            vector
+        };
+        let first: Vec<_> = (0..35).map(|k| vector(k, 0.0)).collect();
+        let before = of_vectors(&first);
+        let lies = |k: usize| before.places[k % 35];
+        let mut all = first.clone();
+        all.extend((0..35).map(|k| vector(k, 1.0)));
+        let near = of_vectors(&all);
+        let places: Vec<Place> = (0..70).map(lies).collect();
+        let kept = near.kept_at(places.clone()).expect("a kind that is near");
+        assert_eq!(kept.places, places);
+        for far in &mut all[35..] {
+            far[2] = 30.0;
+        }
+        assert_eq!(of_vectors(&all).kept_at(places), None);
     }
 }

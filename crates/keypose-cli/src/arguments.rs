@@ -14,8 +14,9 @@ use crate::labels::{self, LabelRule};
 /// Keyposes of motion capture files (BVH).
 ///
 /// Frames count from 0 in the file. A folder stands for all .bvh files below it, in the order of
-/// their names. Files that cannot be read are told on standard error, the others are still done,
-/// and the exit status is 1.
+/// their names; a file that is named twice is taken once. What cannot be found or read is told on
+/// standard error, the others are still done, and the exit status is 1. Results are text for a
+/// person unless a form is named; docs/formats.md describes the forms.
 #[derive(Debug, Parser)]
 #[command(name = "keypose", version)]
 pub struct Arguments {
@@ -37,6 +38,8 @@ pub enum Command {
     /// Tells the posture-variation feature of each file's first human performer.
     Features(Features),
     /// Compares the files of a set: distances, tree, clusters, neighbours, and scores of labels.
+    ///
+    /// Of each file the first human performer is compared; other files are told on standard error.
     Compare(Compare),
     /// Writes the sample motions into a folder, each with its true keyposes.
     Samples(Samples),
@@ -134,7 +137,7 @@ pub struct Compare {
     /// The tree as Newick text.
     #[arg(long, group = "form")]
     pub newick: bool,
-    /// Where labels come from: `folder`, or a pattern of file names, as '{label}_*'.
+    /// Where labels come from: `folder`, or a pattern of file names, as '{label}_*' (`*` is anything).
     #[arg(long, value_name = "folder|PATTERN", value_parser = labels::rule)]
     pub labels: Option<LabelRule>,
     /// How alike two clips are.
@@ -146,10 +149,10 @@ pub struct Compare {
     /// Compare on a body of standard lengths.
     #[arg(long)]
     pub across_rigs: bool,
-    /// How the tree is made: ward, or average where --mirror leaves no vectors.
+    /// How the tree is made; if not said, ward, or average with --mirror, which leaves no vectors.
     #[arg(long, value_enum)]
     pub linkage: Option<LinkageName>,
-    /// How the tree is cut: into N clusters, or by a rule; bic for ward, mojena for average.
+    /// How the tree is cut: into N clusters, or by a rule; if not said, bic for ward, mojena for average.
     #[arg(long, value_name = "N|bic|mojena", value_parser = cut_rule)]
     pub clusters: Option<CutRule>,
     /// How files are read.

@@ -33,7 +33,7 @@ impl Display for Inspection<'_> {
             .analysis
             .performers
             .iter()
-            .flat_map(|performer| &performer.notes);
+            .flat_map(|performer| performer.notes());
         study
             .clip
             .notes
@@ -50,7 +50,7 @@ fn write_performer(
     performer: &PerformerAnalysis,
 ) -> fmt::Result {
     let labels = study.clip.performers[index].skeleton.labels();
-    let body = &performer.body;
+    let body = &performer.survey.body;
     let kind = if body.is_human() {
         "human"
     } else {
@@ -60,14 +60,14 @@ fn write_performer(
         f,
         "  body      {kind}, {} joints and ends, height {:.4} file units, pelvis {}",
         labels.len(),
-        performer.height,
+        performer.survey.height,
         labels[body.pelvis]
     )?;
     write_world(f, performer)?;
     writeln!(
         f,
         "  rest      {} leading frames left out",
-        performer.leading_rest.frames
+        performer.survey.leading_rest.frames
     )?;
     let listed = body
         .joints
@@ -81,8 +81,11 @@ fn write_performer(
 }
 
 fn write_world(f: &mut Formatter<'_>, performer: &PerformerAnalysis) -> fmt::Result {
-    let unit = performer.unit.map_or("unknown", |(unit, _)| unit.name());
-    let (up, ground) = (performer.up.0.name(), performer.ground_height);
+    let unit = performer
+        .survey
+        .unit
+        .map_or("unknown", |(unit, _)| unit.name());
+    let (up, ground) = (performer.survey.up.0.name(), performer.survey.ground_height);
     writeln!(f, "  world     up {up}, ground at {ground:.4}, unit {unit}")
 }
 

@@ -238,7 +238,7 @@ impl ClipHandle {
             .as_ref()
             .and_then(|all| series::performer(all, performer));
         found
-            .and_then(|found| found.feature)
+            .and_then(|found| found.survey.feature)
             .map_or_else(Vec::new, Vec::from)
     }
 
@@ -403,7 +403,7 @@ impl ClipHandle {
             .and_then(|all| all.performers.get(performer));
         let found = surveyed
             .and_then(|found| found.comparable.as_ref())
-            .or(analysed.and_then(|found| found.comparable.as_ref()));
+            .or(analysed.and_then(|found| found.survey.comparable.as_ref()));
         found.map_or_else(Vec::new, of)
     }
 

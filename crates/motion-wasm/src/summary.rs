@@ -10,8 +10,7 @@ use motion::note::Note;
 use motion::posture::PostureWord;
 use motion::report::json::Json;
 use motion::report::{reason_name, source_name};
-use motion::rest::LeadingRest;
-use motion::world::{Unit, Up};
+use motion::world::Unit;
 
 use crate::failure;
 use crate::settings::unit_name;
@@ -26,7 +25,7 @@ pub fn summary(clip: &Clip, analysis: &Analysis) -> Json {
         ("frames", clip.frames.into()),
         ("frameTimeS", analysis.frame_time_s.into()),
         ("frameTimeSource", analysis.frame_time_source.name().into()),
-        ("notes", notes(&clip.notes)),
+        ("notes", notes(clip.notes.iter())),
         ("performers", Json::list(performers.map(performer))),
     ])
 }
@@ -35,7 +34,7 @@ pub fn summary(clip: &Clip, analysis: &Analysis) -> Json {
 pub fn survey(clip: &Clip, survey: &Survey) -> Json {
     let performers = survey.performers.iter().zip(&clip.performers);
     let performer = |(found, owner): (&PerformerSurvey, &motion::clip::Performer)| {
-        let mut members = Facts::of_survey(found).members(owner.skeleton.labels());
+        let mut members = facts(found, owner.skeleton.labels(), found.notes.iter());
         members.push(("analysedFrames", found.frames.into()));
         Json::Object(members)
     };
@@ -43,13 +42,13 @@ pub fn survey(clip: &Clip, survey: &Survey) -> Json {
         ("frames", clip.frames.into()),
         ("frameTimeS", survey.frame_time_s.into()),
         ("frameTimeSource", survey.frame_time_source.name().into()),
-        ("notes", notes(&clip.notes)),
+        ("notes", notes(clip.notes.iter())),
         ("performers", Json::list(performers.map(performer))),
     ])
 }
 
 fn performer(found: &PerformerAnalysis, labels: Vec<String>) -> Json {
-    let mut members = Facts::of_analysis(found).members(labels);
+    let mut members = facts(&found.survey, labels, found.notes());
     members.extend([
         (
             "keyposes",
@@ -65,62 +64,27 @@ fn performer(found: &PerformerAnalysis, labels: Vec<String>) -> Json {
     Json::Object(members)
 }
 
-/// What survey and analysis both know.
-struct Facts<'a> {
-    body: &'a Body,
-    height: f64,
-    up: (Up, Source),
-    ground_height: f64,
-    unit: Option<(Unit, Source)>,
-    leading_rest: LeadingRest,
-    front_yaw_rad: f64,
-    notes: &'a [Note],
-}
-
-impl<'a> Facts<'a> {
-    fn of_survey(found: &'a PerformerSurvey) -> Self {
-        Self {
-            body: &found.body,
-            height: found.height,
-            up: found.up,
-            ground_height: found.ground_height,
-            unit: found.unit,
-            leading_rest: found.leading_rest,
-            front_yaw_rad: found.front_yaw_rad,
-            notes: &found.notes,
-        }
-    }
-
-    fn of_analysis(found: &'a PerformerAnalysis) -> Self {
-        Self {
-            body: &found.body,
-            height: found.height,
-            up: found.up,
-            ground_height: found.ground_height,
-            unit: found.unit,
-            leading_rest: found.leading_rest,
-            front_yaw_rad: found.front_yaw_rad,
-            notes: &found.notes,
-        }
-    }
-
-    fn members(&self, labels: Vec<String>) -> Vec<(&'static str, Json)> {
-        let up = Json::object([
-            ("axis", self.up.0.name().into()),
-            ("source", self.up.1.name().into()),
-        ]);
-        vec![
-            ("labels", Json::list(labels)),
-            ("body", body(self.body, self.height)),
-            ("up", up),
-            ("groundHeight", self.ground_height.into()),
-            ("unit", self.unit.map(unit).into()),
-            ("leadingRestFrames", self.leading_rest.frames.into()),
-            ("leadingRestReason", reason_name(self.leading_rest).into()),
-            ("frontYawRad", self.front_yaw_rad.into()),
-            ("notes", notes(self.notes)),
-        ]
-    }
+/// What survey and analysis both say of a performer.
+fn facts<'a>(
+    found: &PerformerSurvey,
+    labels: Vec<String>,
+    all_notes: impl Iterator<Item = &'a Note>,
+) -> Vec<(&'static str, Json)> {
+    let up = Json::object([
+        ("axis", found.up.0.name().into()),
+        ("source", found.up.1.name().into()),
+    ]);
+    vec![
+        ("labels", Json::list(labels)),
+        ("body", body(&found.body, found.height)),
+        ("up", up),
+        ("groundHeight", found.ground_height.into()),
+        ("unit", found.unit.map(unit).into()),
+        ("leadingRestFrames", found.leading_rest.frames.into()),
+        ("leadingRestReason", reason_name(found.leading_rest).into()),
+        ("frontYawRad", found.front_yaw_rad.into()),
+        ("notes", notes(all_notes)),
+    ]
 }
 
 fn unit((unit, source): (Unit, Source)) -> Json {
@@ -186,8 +150,8 @@ fn words(posture: &[PostureWord]) -> Json {
     Json::list(posture.iter().map(|word| word.name()))
 }
 
-fn notes(notes: &[Note]) -> Json {
-    Json::list(notes.iter().map(|note| {
+fn notes<'a>(notes: impl Iterator<Item = &'a Note>) -> Json {
+    Json::list(notes.map(|note| {
         Json::object([
             ("kind", note.kind.name().into()),
             ("line", note.line.into()),

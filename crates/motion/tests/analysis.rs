@@ -3,9 +3,7 @@
 
 mod support;
 
-use motion::analysis::{
-    Analyser, Analysis, Decisions, JointDecision, PerformerSurvey, analyse, survey,
-};
+use motion::analysis::{Analyser, Analysis, Decisions, JointDecision, analyse, survey};
 use motion::body::{self, Role};
 use motion::bvh;
 use motion::clip::Clip;
@@ -49,7 +47,7 @@ fn golden_clips_have_their_keyposes() {
             let performer = &analysis.performers[0];
             let found = performer.keyposes.as_ref().expect("keyposes").keyposes();
             assert_eq!(serde_json::json!(found), golden[field], "{name} {field}");
-            let left_out = performer.leading_rest.frames;
+            let left_out = performer.survey.leading_rest.frames;
             assert_eq!(
                 serde_json::json!(left_out),
                 golden["leading_rest_frames"],
@@ -228,7 +226,7 @@ fn a_joint_decided_by_a_person_changes_the_result_and_can_be_taken_back() {
     let Some(clip) = cmu("07_01") else { return };
     let (found, options) = (Decisions::default(), Options::default());
     let first = analyse(&clip, &found, &options).unwrap();
-    let body = &first.performers[0].body;
+    let body = &first.performers[0].survey.body;
     let elbow = body.joint(Role::LeftElbow).unwrap();
     let decided = Decisions {
         joints: vec![JointDecision {
@@ -244,7 +242,7 @@ fn a_joint_decided_by_a_person_changes_the_result_and_can_be_taken_back() {
     analyser.begin(&clip, &decided, &options).unwrap();
     let changed = finished(&mut analyser, &clip);
     assert_eq!(changed, analyse(&clip, &decided, &options).unwrap());
-    let wrist = changed.performers[0].body.joints[Role::LeftWrist.index()];
+    let wrist = changed.performers[0].survey.body.joints[Role::LeftWrist.index()];
     assert_eq!((wrist.joint, wrist.source), (elbow, body::Source::User));
     let speed = |analysis: &Analysis| {
         let keyposes = analysis.performers[0].keyposes.as_ref().unwrap();
@@ -277,7 +275,7 @@ fn a_joint_decided_for_one_performer_leaves_the_other_as_it_was() {
     };
     let decided = analyse(&clip, &decisions, &Options::default()).unwrap();
     assert_eq!(decided.performers[0], first.performers[0]);
-    assert_eq!(decided.performers[1].body.joint(Role::Head), Some(1));
+    assert_eq!(decided.performers[1].survey.body.joint(Role::Head), Some(1));
 }
 
 #[test]
@@ -313,7 +311,7 @@ fn any_number_of_leading_frames_is_taken() {
         ..Decisions::default()
     };
     let analysis = analyse(&clip, &decisions, &Options::default()).unwrap();
-    assert_eq!(analysis.performers[0].leading_rest.frames, 2);
+    assert_eq!(analysis.performers[0].survey.leading_rest.frames, 2);
     assert!(analysis.performers[0].keyposes.is_err());
 }
 
@@ -381,13 +379,16 @@ fn a_body_without_left_and_right_is_followed_in_root_coordinates() {
     let (decisions, options) = (Decisions::default(), Options::default());
     let fresh = analyse(&clip, &decisions, &options).unwrap();
     let performer = &fresh.performers[0];
-    assert!(performer.body.is_human(), "{:?}", performer.body);
-    assert_ne!(performer.body.pelvis, 0);
+    assert!(
+        performer.survey.body.is_human(),
+        "{:?}",
+        performer.survey.body
+    );
+    assert_ne!(performer.survey.body.pelvis, 0);
     let has_note = performer
-        .notes
-        .iter()
+        .notes()
         .any(|note| note.kind == NoteKind::NoLeftAndRight);
-    assert!(has_note, "{:?}", performer.notes);
+    assert!(has_note, "{:?}", performer.survey.notes);
     let mut analyser = Analyser::new();
     analyser.begin(&clip, &decisions, &options).unwrap();
     assert_eq!(finished(&mut analyser, &clip), fresh);
@@ -415,25 +416,7 @@ fn a_skeleton_without_motion_stands_on_the_ground() {
     let clip = bvh::parse(text.as_bytes()).expect("a clip");
     assert_eq!(clip.frames, 0);
     let analysis = analyse(&clip, &Decisions::default(), &Options::default()).unwrap();
-    assert_eq!(analysis.performers[0].ground_height, 1.0 - 5.0);
-}
-
-/// The survey that an analysis holds.
-fn survey_of(analysis: &Analysis, frames: usize) -> PerformerSurvey {
-    let found = analysis.performers[0].clone();
-    PerformerSurvey {
-        frames: frames - found.leading_rest.frames,
-        body: found.body,
-        height: found.height,
-        up: found.up,
-        ground_height: found.ground_height,
-        unit: found.unit,
-        leading_rest: found.leading_rest,
-        feature: found.feature,
-        comparable: found.comparable,
-        front_yaw_rad: found.front_yaw_rad,
-        notes: found.notes,
-    }
+    assert_eq!(analysis.performers[0].survey.ground_height, 1.0 - 5.0);
 }
 
 #[test]
@@ -444,7 +427,7 @@ fn a_survey_is_what_the_analysis_finds_of_the_same() {
         let survey = survey(&clip, &Decisions::default()).unwrap();
         assert_eq!(
             survey.performers,
-            [survey_of(&analysis, clip.frames)],
+            [analysis.performers[0].survey.clone()],
             "{name}"
         );
         assert_eq!(survey.frame_time_s, analysis.frame_time_s);

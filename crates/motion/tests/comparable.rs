@@ -22,7 +22,7 @@ fn clips() -> Vec<(String, PerformerAnalysis, ComparableFeature)> {
     let read = |(name, _)| {
         let bytes = fs::read(folder.join(format!("cmu/{name}.bvh"))).expect("a readable file");
         let found = performer(&bytes);
-        let comparable = found.comparable.clone().expect("a human body");
+        let comparable = found.survey.comparable.clone().expect("a human body");
         (name, found, comparable)
     };
     golden_clips().into_iter().map(read).collect()
@@ -31,12 +31,12 @@ fn clips() -> Vec<(String, PerformerAnalysis, ComparableFeature)> {
 #[test]
 fn the_recorded_feature_is_that_of_the_track() {
     for (name, found, comparable) in clips() {
-        assert_eq!(Some(comparable.recorded), found.feature, "{name}");
+        assert_eq!(Some(comparable.recorded), found.survey.feature, "{name}");
         let path = data_folder().expect("data").join(format!("cmu/{name}.bvh"));
         let clip = motion::bvh::parse(&fs::read(path).expect("a file")).expect("a motion");
-        let mut builder = motion::body::TableBuilder::new(&clip, 0, &found.body);
+        let mut builder = motion::body::TableBuilder::new(&clip, 0, &found.survey.body);
         builder.step(clip.frames);
-        let track = support::analysed(&clip, &found.body, builder.finish()).track;
+        let track = support::analysed(&clip, &found.survey.body, builder.finish()).track;
         assert_eq!(comparable.recorded, posture_variation(&track), "{name}");
     }
 }
@@ -69,6 +69,9 @@ fn a_body_that_is_not_human_is_not_compared() {
             .join("rigs")
             .join(rig["file"].as_str().expect("a name"));
         let found = performer(&fs::read(path).expect("a readable file"));
-        assert_eq!((found.feature, found.comparable), (None, None));
+        assert_eq!(
+            (found.survey.feature, found.survey.comparable),
+            (None, None)
+        );
     }
 }

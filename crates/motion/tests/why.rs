@@ -102,8 +102,8 @@ fn trails_are_of_the_hand_and_foot_that_travel_farthest() {
             places.windows(2).map(step).sum::<f64>()
         };
         let longest = |roles: [Role; 2]| match length(roles[1]) > length(roles[0]) {
-            true => found.body.joint(roles[1]).unwrap(),
-            false => found.body.joint(roles[0]).unwrap(),
+            true => found.survey.body.joint(roles[1]).unwrap(),
+            false => found.survey.body.joint(roles[0]).unwrap(),
         };
         let expected = [
             longest([Role::LeftWrist, Role::RightWrist]),

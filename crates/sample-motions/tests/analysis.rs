@@ -40,19 +40,23 @@ fn the_true_keyposes_are_found() {
 fn the_body_the_unit_and_the_ground_are_found() {
     for sample in Sample::all() {
         let (id, found) = (sample.id(), analysed(&sample));
-        assert!(found.body.is_human(), "{id}");
-        assert!(found.notes.is_empty(), "{id}: {:?}", found.notes);
-        assert_eq!(found.leading_rest.frames, 0, "{id}");
+        assert!(found.survey.body.is_human(), "{id}");
+        assert!(
+            found.notes().next().is_none(),
+            "{id}: {:?}",
+            found.survey.notes
+        );
+        assert_eq!(found.survey.leading_rest.frames, 0, "{id}");
         let unit = match sample.rig {
             Rig::Hik => Unit::Centimetre,
             Rig::Poser => Unit::Inch,
             Rig::Vrm => Unit::Metre,
         };
-        assert_eq!(found.unit.map(|(unit, _)| unit), Some(unit), "{id}");
+        assert_eq!(found.survey.unit.map(|(unit, _)| unit), Some(unit), "{id}");
         assert!(
-            found.ground_height.abs() < 0.02 * found.height,
+            found.survey.ground_height.abs() < 0.02 * found.survey.height,
             "{id}: {}",
-            found.ground_height
+            found.survey.ground_height
         );
     }
 }

@@ -141,3 +141,35 @@ fn near(subject: &Subject, item: usize, nearest: Option<usize>) -> String {
     let is_right = own.map_or_else(String::new, |_| (own == other).to_string());
     format!("{},{distance},{is_right}", texts.map(field).join(","))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::evaluation::leave_one_out;
+
+    /// Pairs of clips, of which the first ones alone have the same label.
+    fn pairs(pairs: usize) -> OneNearest {
+        let labels: Vec<_> = (0..2 * pairs).map(|item| Some(item.max(1) - 1)).collect();
+        let distance = |one: usize, other: usize| (one / 2).abs_diff(other / 2) as f64;
+        leave_one_out(&labels, distance)
+    }
+
+    #[test]
+    fn a_confusion_is_a_table_and_its_cells() {
+        let nearest = pairs(2);
+        let table = "[[2,0,0],[0,0,1],[0,1,0]]";
+        assert_eq!(confusion(&nearest, 3).text(), table);
+        let cells = "[[0,0,2],[1,2,1],[2,1,1]]";
+        assert_eq!(confusion_cells(&nearest).text(), cells);
+    }
+
+    #[test]
+    fn of_many_labels_there_are_only_the_cells() {
+        let nearest = pairs(1500);
+        assert_eq!(confusion(&nearest, 2999), Json::Null);
+        let Json::List(cells) = confusion_cells(&nearest) else {
+            panic!("a list");
+        };
+        assert_eq!(cells.len(), 2999);
+    }
+}

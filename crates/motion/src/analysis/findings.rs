@@ -22,21 +22,12 @@ pub struct Findings<'a> {
 impl Findings<'_> {
     /// All of it as one analysis.
     pub fn analysis(&self) -> PerformerAnalysis {
-        let survey = PerformerSurvey::new(self.posed, &self.settings.decisions);
         PerformerAnalysis {
-            notes: self.notes(survey.notes),
-            body: survey.body,
-            height: survey.height,
-            up: survey.up,
-            ground_height: survey.ground_height,
-            unit: survey.unit,
-            leading_rest: survey.leading_rest,
+            survey: PerformerSurvey::new(self.posed, &self.settings.decisions),
             keyposes: self.keyposes(),
-            feature: survey.feature,
-            comparable: survey.comparable,
+            keypose_notes: self.keypose_notes(),
             thumbnail_frame: self.picture.thumbnail_frame,
             side_yaw_rad: self.picture.side_yaw_rad,
-            front_yaw_rad: survey.front_yaw_rad,
             trail_joints: self.trail_joints(),
         }
     }
@@ -68,15 +59,12 @@ impl Findings<'_> {
         }
     }
 
-    /// The notes of the survey, and those that concern the keyposes.
-    fn notes(&self, mut notes: Vec<Note>) -> Vec<Note> {
-        notes.extend(self.keyposes.iter().flat_map(|found| self.left_out(found)));
-        notes
-    }
-
     /// What the frame rate did not allow.
-    fn left_out(&self, found: &Extracted<'_>) -> Vec<Note> {
+    fn keypose_notes(&self) -> Vec<Note> {
         let mut notes = Vec::new();
+        let Some(found) = self.keyposes else {
+            return notes;
+        };
         if !found.speed.filtered {
             let cutoff = self.settings.options.low_pass_hz.to_string();
             notes.push(Note::new(NoteKind::LowPassLeftOut, vec![cutoff]));

@@ -23,15 +23,11 @@ pub use analyser::Analyser;
 pub use settings::{Decisions, JointDecision, SettingsError, Source};
 pub use survey::{PerformerSurvey, Survey};
 
-use crate::body::Body;
 use crate::clip::Clip;
-use crate::feature::ComparableFeature;
 use crate::keypose::{Extraction, Options};
 use crate::note::Note;
 use crate::part_change::PartChange;
 use crate::posture::PostureWord;
-use crate::rest::LeadingRest;
-use crate::world::{Unit, Up};
 
 /// What was found in one clip.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,38 +45,27 @@ pub struct Analysis {
 /// What was found of one performer. Frames are those of the file, from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PerformerAnalysis {
-    /// Which joint is which.
-    pub body: Body,
-    /// Body height in file units.
-    pub height: f64,
-    /// The up axis and where it is from.
-    pub up: (Up, Source),
-    /// The height of the ground along the up axis, in file units.
-    pub ground_height: f64,
-    /// The unit of length and where it is from; none if unknown.
-    pub unit: Option<(Unit, Source)>,
-    /// How many frames before the motion were left out, and why.
-    pub leading_rest: LeadingRest,
+    /// What is known without keyposes: body, world, feature.
+    pub survey: PerformerSurvey,
     /// Keyposes and what leads to them, or why there are none.
     pub keyposes: Result<KeyposeAnalysis, Note>,
-    /// Means and standard deviations of the posture variation, in squared body heights; none
-    /// without frames or a human body.
-    pub feature: Option<[f64; 12]>,
-    /// What a comparison with other clips takes: that feature, the one across rigs, and the joints'
-    /// parts of both; none where there is no feature.
-    pub comparable: Option<ComparableFeature>,
+    /// What the frame rate did not allow on the way to them.
+    pub keypose_notes: Vec<Note>,
     /// The frame that pictures the motion.
     pub thumbnail_frame: usize,
     /// The yaw from which the figures of the keyposes are widest, see
     /// [`crate::figure::WidestSide`].
     pub side_yaw_rad: f64,
-    /// The yaw, of the same kind, of a viewer whom the pelvis faces in the mean.
-    pub front_yaw_rad: f64,
     /// The wrist and the ankle with the longest path in the pelvis frame, whose trails are drawn at
     /// first; empty where the body is not human.
     pub trail_joints: Vec<usize>,
-    /// What was assumed and found out of the ordinary.
-    pub notes: Vec<Note>,
+}
+
+impl PerformerAnalysis {
+    /// All that was assumed and found out of the ordinary.
+    pub fn notes(&self) -> impl Iterator<Item = &Note> {
+        self.survey.notes.iter().chain(&self.keypose_notes)
+    }
 }
 
 /// Keyposes and the series that lead to them.

@@ -24,7 +24,7 @@ pub struct Survey {
     pub performers: Vec<PerformerSurvey>,
 }
 
-/// What was found of one performer; each value is that of [`super::PerformerAnalysis`].
+/// What was found of one performer, short of the keyposes. Frames are those of the file, from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PerformerSurvey {
     /// Which joint is which.
@@ -41,11 +41,13 @@ pub struct PerformerSurvey {
     pub leading_rest: LeadingRest,
     /// How many frames come after them.
     pub frames: usize,
-    /// The posture variation, in squared body heights; none without frames or a human body.
+    /// Means and standard deviations of the posture variation, in squared body heights; none
+    /// without frames or a human body.
     pub feature: Option<[f64; 12]>,
-    /// What a comparison with other clips takes; none where there is no feature, or one frame only.
+    /// What a comparison with other clips takes: that feature, the one across rigs, and the joints'
+    /// parts of both; none where there is no feature, or one frame only.
     pub comparable: Option<ComparableFeature>,
-    /// The yaw of a viewer whom the pelvis faces in the mean.
+    /// The yaw of a viewer whom the pelvis faces in the mean, as [`crate::figure::WidestSide`] counts.
     pub front_yaw_rad: f64,
     /// What was assumed and found out of the ordinary, short of what concerns keyposes.
     pub notes: Vec<Note>,

@@ -6,7 +6,7 @@ use crate::body::{BodyJoint, Role, Source};
 
 /// `body`: kind, pelvis, height, joints.
 pub fn body(performer: &PerformerAnalysis, labels: &[String]) -> Json {
-    let body = &performer.body;
+    let body = &performer.survey.body;
     let label = |joint: usize| labels.get(joint).map(String::as_str);
     let joint = |found: &BodyJoint| {
         Json::object([
@@ -22,7 +22,7 @@ pub fn body(performer: &PerformerAnalysis, labels: &[String]) -> Json {
             if body.is_human() { "human" } else { "other" }.into(),
         ),
         ("pelvis", label(body.pelvis).into()),
-        ("height", performer.height.into()),
+        ("height", performer.survey.height.into()),
         (
             "joints",
             Json::list(body.joints.iter().filter(is_listed).map(joint)),

@@ -25,13 +25,13 @@ pub fn object(
     members.push(("body", body(found, &labels)));
     members.push((
         "notes",
-        Json::list(subject.clip.notes.iter().chain(&found.notes).map(note)),
+        Json::list(subject.clip.notes.iter().chain(found.notes()).map(note)),
     ));
     members.extend(match &found.keyposes {
         Ok(keyposes) => keypose_members(subject, keyposes),
         Err(reason) => unanalysed_members(reason),
     });
-    members.push(("feature", found.feature.map(Json::list).into()));
+    members.push(("feature", found.survey.feature.map(Json::list).into()));
     members.extend(picture_members(found, &labels));
     if let Some(evaluation) = evaluation {
         members.push(("evaluation", evaluation_object(evaluation)));
@@ -41,18 +41,24 @@ pub fn object(
 
 fn motion_members(found: &PerformerAnalysis) -> Members {
     vec![
-        ("leading_rest_frames", found.leading_rest.frames.into()),
+        (
+            "leading_rest_frames",
+            found.survey.leading_rest.frames.into(),
+        ),
         (
             "leading_rest_reason",
-            super::reason_name(found.leading_rest).into(),
+            super::reason_name(found.survey.leading_rest).into(),
         ),
-        ("up", found.up.0.name().into()),
-        ("up_source", found.up.1.name().into()),
-        ("ground_height", found.ground_height.into()),
-        ("unit", found.unit.map(|(unit, _)| unit.name()).into()),
+        ("up", found.survey.up.0.name().into()),
+        ("up_source", found.survey.up.1.name().into()),
+        ("ground_height", found.survey.ground_height.into()),
+        (
+            "unit",
+            found.survey.unit.map(|(unit, _)| unit.name()).into(),
+        ),
         (
             "unit_source",
-            found.unit.map(|(_, source)| source.name()).into(),
+            found.survey.unit.map(|(_, source)| source.name()).into(),
         ),
     ]
 }

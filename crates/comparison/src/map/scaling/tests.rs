@@ -135,3 +135,16 @@ fn a_map_in_pieces_is_the_same() {
         assert_eq!(steps.finish(&matrix), of_matrix(&matrix));
     }
 }
+
+/// Both lie as far from their middle; which one rounding puts farther does not matter.
+#[test]
+fn of_two_the_first_lies_on_the_positive_side() {
+    let mut random = Random::new(11);
+    for _ in 0..50 {
+        let vectors: [Vector; 2] =
+            core::array::from_fn(|_| core::array::from_fn(|_| random.unit()));
+        for map in [of_vectors(&vectors), of_matrix(&matrix(&vectors))] {
+            assert!(map.places[0][0] > 0.0, "{:?}", map.places);
+        }
+    }
+}
