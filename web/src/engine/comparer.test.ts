@@ -286,6 +286,23 @@ test('a clip told since is placed by the formula, and what lay there stays', asy
   comparer.destroy();
 });
 
+test('clips that the places kept would show in a heap are laid out anew', async () => {
+  const { comparer } = setUp();
+  const line = [0, 3, 4, 9];
+  const { map } = await withPlaces(comparer, line).compare(ward);
+  line.forEach((place, k) => {
+    const far = at(place);
+    far.recorded[1] = 30 + k;
+    comparer.setFeature(10 + k, 'far', far);
+  });
+  const heap = (await comparer.arrivals()).places;
+  expect(Math.abs(heap[0] - map[0])).toBeLessThan(1e-9);
+  const all = await comparer.compare(ward, { keepsPlaces: true });
+  expect(Math.hypot(all.map[8] - all.map[0], all.map[9] - all.map[1])).toBeCloseTo(30, 6);
+  expect(all.spread).toBeCloseTo(1, 9);
+  comparer.destroy();
+});
+
 test('another distance lays out anew, also where places would be kept', async () => {
   const { comparer } = setUp();
   const { map } = await withPlaces(comparer, [0, 3, 4, 9]).compare(average);
