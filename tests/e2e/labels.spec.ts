@@ -133,7 +133,9 @@ test('by hand in the table, with keys alone; undone together', async ({ app, pag
   await page.keyboard.press('End');
   await expect(page.getByRole('tab', { name: 'Table' })).toBeFocused();
   const row = (name: string): Locator =>
-    page.getByRole('row').filter({ has: page.locator(`.table-name > .clip-name[title="${name}"]`) });
+    page
+      .getByRole('row')
+      .filter({ has: page.locator(`.table-name > .clip-name[title="${name}"]`) });
   const name = (of: string): Locator => row(of).locator('.table-name');
   await expect(row('chair')).toContainText('not');
   await name('run_anna').focus();
