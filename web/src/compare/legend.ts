@@ -5,6 +5,7 @@ import type { Words } from '../app/i18n/catalogue';
 import type { Comparison } from '../engine/comparison-types';
 import { ColourScale } from './colour-scale';
 
+/** Narrower where there is no room. */
 const widthPx = 150;
 const heightPx = 8;
 
@@ -46,7 +47,7 @@ export function legend({ words, comparison, stops, distance }: LegendProps): Tem
     <span>${t('legend.alike')}</span>
     <span class="legend-scale">
       <svg
-        width=${widthPx}
+        preserveAspectRatio="none"
         height=${heightPx}
         viewBox="0 0 ${widthPx} ${heightPx}"
         ${drawn(stops.join(), (svg) => drawScale(svg, stops))}
@@ -54,7 +55,7 @@ export function legend({ words, comparison, stops, distance }: LegendProps): Tem
       ${
         part === null
           ? nothing
-          : html`<i class="legend-mark" ${styled({ left: `${part * widthPx}px` })}></i>`
+          : html`<i class="legend-mark" ${styled({ left: `${part * 100}%` })}></i>`
       }
     </span>
     <span>${t('legend.different')}</span>

@@ -4,6 +4,7 @@ import { follow } from '../common/mount';
 import { watchPixelRatio } from '../timeline/canvas';
 import { ColourScale } from './colour-scale';
 import { CutSlider } from './cut-slider';
+import { GroupNames } from './group-names';
 import { longestNamePx } from './name-width';
 import { MatrixCanvas } from './matrix-canvas';
 import {
@@ -31,6 +32,7 @@ export class MatrixPane {
   private readonly cells = new MatrixCanvas();
   private readonly tree = document.createElement('canvas');
   private readonly marks = new MatrixMarks();
+  private readonly groups = new GroupNames();
   private readonly names: NamesView;
   private readonly grid: MatrixGrid;
   private readonly cut: CutSlider;
@@ -51,7 +53,8 @@ export class MatrixPane {
     this.tree.className = 'tree-canvas';
     this.cells.canvas.className = 'matrix-canvas';
     for (const canvas of [this.tree, this.cells.canvas]) canvas.setAttribute('aria-hidden', 'true');
-    place.append(this.tree, this.cells.canvas, this.names.element, this.grid.element);
+    place.append(this.tree, this.cells.canvas, this.groups.element);
+    place.append(this.names.element, this.grid.element);
     place.append(this.marks.element, this.cut.element, this.names.lens, this.tip.element);
     new ResizeObserver(() => {
       this.size.value = { width: place.clientWidth, height: place.clientHeight };
@@ -93,6 +96,11 @@ export class MatrixPane {
     follow(() => {
       const now = state();
       if (now) drawTree(this.tree, { ...now, palette: palette.value });
+    });
+    follow(() => {
+      const now = state();
+      const none = context.language.words.value.t('names.no-label');
+      if (now) this.groups.show(now.scene, now.geometry, none);
     });
     follow(() => {
       const now = state();
