@@ -48,6 +48,7 @@ export function legend({ words, comparison, stops, distance }: LegendProps): Tem
     <span class="legend-scale">
       <svg
         preserveAspectRatio="none"
+        shape-rendering="crispEdges"
         height=${heightPx}
         viewBox="0 0 ${widthPx} ${heightPx}"
         ${drawn(stops.join(), (svg) => drawScale(svg, stops))}
