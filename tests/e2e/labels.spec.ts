@@ -110,12 +110,18 @@ test('an error is reached by a press: it becomes the pair', async ({ app, page }
   expect(body!.x + body!.width).toBeLessThanOrEqual(panel!.x + panel!.width - 16);
 });
 
-test('labels go into the library: its rows and its filter', async ({ app, page }) => {
+test('labels go into the library, its rows and its filter, and beside the open clip’s name', async ({
+  app,
+  page,
+}) => {
   await openCompare(app, page);
   await labelByName(page, '*_{label}');
   await expect(app.row('walk_ben.bvh')).toContainText('Label: ben');
   await app.field('Filter by name or label').fill('ben');
   await expect(app.rows).toHaveCount(2);
+  await app.row('walk_ben.bvh').locator('.clip-open').click();
+  await page.locator('.page-tab', { hasText: 'Study' }).click();
+  await expect(page.locator('.top-label')).toHaveText('ben');
 });
 
 test('by folder; undo takes it back', async ({ app, page }) => {

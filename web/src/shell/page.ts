@@ -61,9 +61,11 @@ function clipPlace({ store }: Context): OpenClipPlace | null {
   if (!clip) return null;
   const shown = store.shown.value;
   const place = shown.findIndex(({ id }) => id === clip.id) + 1;
+  const label = store.labels.value.get(clip.id);
   return {
     name: clip.source.name,
     qualifier: store.qualifiers.value.get(clip.id) ?? '',
+    label: label ? { name: label, place: store.labelNames.value.indexOf(label) } : null,
     place,
     count: shown.length,
   };

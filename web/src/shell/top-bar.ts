@@ -6,11 +6,14 @@ import type { ThemeChoice } from '../app/theme';
 import { mark, type IconName } from '../common/icons';
 import { iconButton } from '../common/buttons';
 import { clipName } from '../common/clip-name';
+import { labelMark } from '../common/label-mark';
 import { menuButton } from '../common/menu';
 
 export interface OpenClipPlace {
   readonly name: string;
   readonly qualifier: string;
+  /** Its place among all labels; null without one. */
+  readonly label: { readonly name: string; readonly place: number } | null;
   /** From 1, among the rows shown; 0 where the filter hides the clip. */
   readonly place: number;
   readonly count: number;
@@ -52,6 +55,7 @@ function clipPlace({ words: { t }, onClip }: TopBarProps, clip: OpenClipPlace): 
   return html`
     ${iconButton({ name: 'chevron-left', label: t('top.previous-clip'), small: true, disabled: clip.place <= 1, onPress: () => onClip(-1) })}
     <h1 class="top-clip">${clipName(clip.name, clip.qualifier)}</h1>
+    ${clip.label === null ? nothing : html`<span class="top-label" title=${clip.label.name}>${labelMark(clip.label.place)}<span>${clip.label.name}</span></span>`}
     <span class="top-place"
       >${clip.place > 0 ? t('top.place', clip.place, clip.count) : nothing}</span
     >
@@ -128,8 +132,10 @@ export function topBar(props: TopBarProps): TemplateResult {
   const panel = (name: IconName, label: string, on: boolean, onPress: () => void): TemplateResult =>
     iconButton({ name, label, expanded: on, onPress });
   return html`
-    <div class="brand">${mark()}<span>Keypose</span></div>
-    ${study?.panels && study.page !== 'pair' ? panel('panel-left', t('top.library'), study.libraryOpen, props.onLibrary) : nothing}
+    <div class="top-lead">
+      <div class="brand">${mark()}<span>Keypose</span></div>
+      ${study?.panels && study.page !== 'pair' ? panel('panel-left', t('top.library'), study.libraryOpen, props.onLibrary) : nothing}
+    </div>
     ${study?.panels ? pageTabs(props, study.page) : nothing}
     <div id="top-middle" class="top-middle">
       ${study?.clip && study.page === 'study' ? clipPlace(props, study.clip) : nothing}
