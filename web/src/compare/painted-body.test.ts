@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { barLength, barWidth } from './component-bars';
-import { byShare, paintPercent } from './painted-body';
+import { byShare, hasNegative, paintPercent } from './painted-body';
 
 test('the largest share is painted whole, a negative one not at all', () => {
   expect(paintPercent(0.5, 0.5)).toBe(100);
@@ -17,6 +17,8 @@ test('parts from the largest share to the smallest', () => {
     'right-leg': -0.1,
     head: 0.3,
   };
+  expect(hasNegative(shares)).toBe(true);
+  expect(hasNegative({ ...shares, 'right-leg': -0.004 })).toBe(false);
   expect(byShare(shares)).toEqual(['right-arm', 'head', 'left-arm', 'left-leg', 'right-leg']);
 });
 

@@ -16,8 +16,14 @@ export function paintPercent(share: number, largest: number): number {
   return leastPaint + (100 - leastPaint) * (share / largest);
 }
 
+const percentOf = (share: number): number => Math.round(share * 100);
+
+/** Whether one is listed below zero. */
+export const hasNegative = (shares: PartShares): boolean =>
+  bodyParts.some((part) => percentOf(shares[part]) < 0);
+
 function shareText({ t, format }: Words, share: number): string {
-  const percent = Math.round(share * 100);
+  const percent = percentOf(share);
   return t('unit.percent', (percent < 0 ? '−' : '') + format.integer(Math.abs(percent)));
 }
 

@@ -1,8 +1,8 @@
 /** What is known of the distance between A and B in; the sections of the panel that explain it out. */
-import { html, type TemplateResult } from 'lit-html';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Context } from '../app/context';
 import { componentBars } from '../compare/component-bars';
-import { paintedBody, partList } from '../compare/painted-body';
+import { hasNegative, paintedBody, partList } from '../compare/painted-body';
 import { whySentence } from '../compare/why-sentence';
 import type { Explanation } from '../engine/comparison-types';
 import { section } from '../inspector/section';
@@ -22,9 +22,11 @@ export function distanceSections(context: Context, found: Explanation | null): T
   const distance = html`<p class="pair-distance"><b>${number}</b> <span>${rank}</span></p>
     ${whySentence(words, found, names)}`;
   if (found.sentence.kind === 'same') return section({ label, body: distance });
+  const { partShares } = found;
   const body = html`<div class="pair-parts">
-    ${paintedBody(words, found.partShares)} ${partList(words, found.partShares)}
-  </div>`;
+      ${paintedBody(words, partShares)} ${partList(words, partShares)}
+    </div>
+    ${hasNegative(partShares) ? html`<p class="pair-note">${t('pair.parts.negative')}</p>` : nothing}`;
   return html`
     ${section({ label, body: distance })}
     ${section({ label: t('pair.twelve'), beside: t('pair.twelve.share'), body: componentBars(words, found.shares) })}

@@ -67,6 +67,7 @@ export const englishPair = {
   'pair.twelve': 'Twelve numbers',
   'pair.twelve.share': 'share of the distance',
   'pair.parts': 'By body part',
+  'pair.parts.negative': 'Below zero: this part makes the two more alike.',
   'pair.timing': 'Timing',
   'pair.timing.between': 'Between keyposes',
   'pair.timing.speed': 'Mean speed',

@@ -67,6 +67,7 @@ export const japanesePair: Readonly<Record<keyof typeof englishPair, Message>> =
   'pair.twelve': '十二の数値',
   'pair.twelve.share': '距離に占める割合',
   'pair.parts': '体の部位',
+  'pair.parts.negative': '負の値は、二つを近づけている部位です。',
   'pair.timing': 'タイミング',
   'pair.timing.between': 'キーポーズの間隔',
   'pair.timing.speed': '平均速度',
