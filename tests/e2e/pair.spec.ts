@@ -207,7 +207,7 @@ test('clips are chosen, swapped and added by keys; a third one is superposed', a
   await expect(clipButton(page, 'b')).toHaveText(/B\s*walk-hik-30/);
   await clipButton(page, 'more').click();
   await page.locator('#pair-clip-more .pair-list-row', { hasText: run }).click();
-  await expect(clipButton(page, 'more')).toHaveText('+1');
+  await expect(clipButton(page, 'more')).toHaveText('1');
   await expect(app.button('Superposed')).toHaveAttribute('aria-pressed', 'true');
   await expect(page.locator('.pair-plate')).toHaveCount(3);
   await page.locator('#pair-clip-more .pair-list-row', { hasText: run }).click();

@@ -52,7 +52,7 @@ function clipChoice(context: Context, filter: Signal<string>): TemplateResult {
     ${clipMenu(context, filter, {
       id: 'pair-clip-more',
       label: words.t('pair.add'),
-      button: html`${icon('plus', 15)}${also.length > 0 ? words.t('pair.add.more', String(also.length)) : nothing}`,
+      button: html`${icon('plus', 15)}${also.length > 0 ? also.length : nothing}`,
       chosen: [a, b, ...also].filter((id) => id !== null),
       several: true,
       onChoose: (id) => toggle(context, id),

@@ -4,22 +4,19 @@ import { html, nothing } from 'lit-html';
 import type { Context } from '../app/context';
 import { element } from '../common/element';
 import { follow, mount } from '../common/mount';
-import { keyposeText, timelineText } from '../study/study-text';
-import { createKeyposePoses, type PoseOwner } from '../study/keypose-poses';
 import { watchPixelRatio } from '../timeline/canvas';
-import { layoutPins } from '../timeline/pin-layout';
-import { PinRow } from '../timeline/pin-row';
 import { aheadOutline } from './ahead';
 import { differenceShades } from './difference';
 import { drawDifference } from './difference-canvas';
 import { rangeOf } from './loop-frames';
+import { showPins, showStrip } from './mount-clip-rows';
 import { showLoop } from './mount-loop';
+import { showPlayhead } from './mount-playhead';
 import { showSpans } from './mount-spans';
 import type { PairClip } from './pair-clips';
 import { pairGraph, ribbonTimes, type GraphClip } from './pair-graph';
-import { PairPlayhead } from './pair-playhead';
 import type { PairState } from './pair-state';
-import { PairStrip } from './pair-strip';
+import { placeAt } from './place-at';
 import { keyposeLines, matchingLines } from './ribbon';
 import { flagCover, ribbonLabels, ribbonTicks, tabCovers, uncovered } from './ribbon-labels';
 import { rowLabels } from './row-labels';
@@ -27,7 +24,6 @@ import { alignmentText, speedAt, warpingText } from './row-words';
 import { axesOf, rows, ROWS_HEIGHT, type RowPlace } from './rows-layout';
 import { listenToRows } from './rows-pointer';
 import { speedOutline } from './speed-outline';
-import { pairYaw } from './stands';
 import type { Two, TwoSignal } from './two';
 
 export function mountRows(place: HTMLElement, context: Context, state: PairState): void {
@@ -180,127 +176,5 @@ function showDifference(area: HTMLElement, context: Context, state: PairState, t
     canvas.setAttribute('aria-label', context.language.words.value.t('pair.difference.label'));
     if (!shown || !warping) return;
     drawDifference(canvas, differenceShades(warping, shown.axes[1]), shown.axes[1].width);
-  });
-}
-
-function showStrip(
-  area: HTMLElement,
-  clip: 0 | 1,
-  context: Context,
-  state: PairState,
-  two: TwoSignal,
-): void {
-  const { engine, language, store } = context;
-  const place = placeAt(area, 'pair-strip-place', [rows.stripA, rows.stripB][clip]);
-  const poses = createKeyposePoses(engine);
-  const strip = new PairStrip(place, {
-    onPick: (keypose) => state.pickKeypose(clip, keypose),
-    onHover: (frame) => {
-      state.hovered.value = frame === null ? null : { clip, frame };
-    },
-    onShown: (frames) => {
-      const shown = state.clips.peek()[clip];
-      if (shown) poses.want(ownerOf(shown), frames);
-    },
-  });
-  follow(() => {
-    const shown = two.value;
-    if (!shown) return;
-    const one = [shown.a, shown.b][clip];
-    const words = language.words.value;
-    strip.update({
-      axis: shown.axes[clip],
-      frameTimeS: one.frameTimeS,
-      performer: one.performer,
-      yawRad: pairYaw(shown.a, one),
-      mirrored: clip === 1 && store.compare.mirrorB.value,
-      keyposes: one.keyposes,
-      poses: poses.of(ownerOf(one)),
-      current: state.currentKeyposes.value[clip] ?? null,
-      label: words.t('pair.strip', one.letter),
-      keyposeName: keyposeText(words),
-    });
-  });
-}
-
-function placeAt(area: HTMLElement, name: string, { top }: RowPlace): HTMLElement {
-  const place = element('div', name);
-  place.style.top = `${top}px`;
-  area.append(place);
-  return place;
-}
-
-function ownerOf({ id, performerIndex, performer }: PairClip): PoseOwner {
-  return { id, performer: performerIndex, jointCount: performer.skeleton.parents.length };
-}
-
-function showPins(
-  area: HTMLElement,
-  clip: 0 | 1,
-  { language }: Context,
-  state: PairState,
-  two: TwoSignal,
-): void {
-  const place = placeAt(area, 'pair-pins', [rows.pinsA, rows.pinsB][clip]);
-  const pick = (keypose: number): void => state.pickKeypose(clip, keypose);
-  const open = (first: number, last: number): void => {
-    const { keyposes } = state.clips.peek()[clip];
-    state.rows.open(clip, keyposes[first], keyposes[last]);
-  };
-  const pins = new PinRow({ onPick: pick, onOpen: open });
-  place.append(pins.element);
-  const text = computed(() => {
-    const words = language.words.value;
-    return { ...timelineText(words), pins: words.t('pair.pins', 'AB'[clip]) };
-  });
-  follow(() => {
-    const shown = two.value;
-    if (!shown) return;
-    const { keyposes, frameTimeS } = [shown.a, shown.b][clip];
-    const axis = shown.axes[clip];
-    pins.update(layoutPins(keyposes, axis), axis, keyposes, frameTimeS, text.value);
-  });
-  follow(() => {
-    void two.value;
-    pins.markCurrent(state.currentKeyposes.value[clip] ?? null);
-  });
-}
-
-function showPlayhead(area: HTMLElement, { language }: Context, state: PairState, two: TwoSignal) {
-  const playhead = new PairPlayhead(area);
-  const slider = element('div', 'pair-slider');
-  slider.tabIndex = 0;
-  slider.setAttribute('role', 'slider');
-  slider.setAttribute('aria-valuemin', '0');
-  area.append(slider);
-  follow(() => {
-    const shown = two.value;
-    if (!shown) return;
-    const { a, b, axes } = shown;
-    const { frames, pairS } = state.moment.value;
-    const { t, format } = language.words.value;
-    const times = [a, b].map(({ frameTimeS }, i) =>
-      format.decimal((frames[i] ?? 0) * frameTimeS, 2),
-    );
-    const [xA, xB] = [0, 1].map((i) => axes[i].x(frames[i] ?? 0));
-    playhead.show(xA, xB, times[0], times[1], axes[0].width);
-    slider.style.transform = `translateX(${xA}px)`;
-    slider.setAttribute('aria-label', t('timeline.playhead'));
-    slider.setAttribute('aria-valuemax', state.alignment.value.durationS.toFixed(3));
-    slider.setAttribute('aria-valuenow', pairS.toFixed(3));
-    slider.setAttribute('aria-valuetext', t('pair.spoken.times', times[0], times[1]));
-  });
-  follow(() => {
-    const shown = two.value;
-    const hovered = state.hovered.value;
-    if (!shown || !hovered || hovered.clip > 1) return playhead.showTwin(null);
-    const clips = [shown.a, shown.b];
-    const alignment = state.alignment.value;
-    const at = alignment.pairTimeOf(hovered.clip, hovered.frame * clips[hovered.clip].frameTimeS);
-    const x = (i: 0 | 1): number =>
-      i === hovered.clip
-        ? shown.axes[i].x(hovered.frame)
-        : shown.axes[i].x(alignment.timeOf(i, at) / clips[i].frameTimeS);
-    playhead.showTwin([x(0), x(1)]);
   });
 }

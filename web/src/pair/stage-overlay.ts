@@ -60,7 +60,7 @@ const plate = ({ letter, place, name, qualifier, about }: PlateProps): TemplateR
 function caption({ caption: words }: StageOverlayProps) {
   if (!words) return nothing;
   return html`<p class="stage-caption">
-    <strong>${words.title}</strong> <span>${words.posture}</span>
+    <strong>${words.title}</strong> <span title=${words.posture}>${words.posture}</span>
     <span class="stage-remark">${words.remark}</span>
   </p>`;
 }

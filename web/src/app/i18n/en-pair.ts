@@ -19,7 +19,6 @@ export const englishPair = {
   'pair.keyposes.about': 'Figures at the keyposes around',
   'pair.swap': 'Swap A and B',
   'pair.add': 'Clips on the stage',
-  'pair.add.more': '+{0}',
   'pair.add.full': '{0} clips are on the stage, the most that there is room for.',
   'pair.choose': 'Clip {0}',
   'pair.choose.none': 'Choose a clip',

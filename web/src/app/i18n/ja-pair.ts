@@ -20,7 +20,6 @@ export const japanesePair: Readonly<Record<keyof typeof englishPair, Message>> =
   'pair.keyposes.about': '前後のキーポーズの姿',
   'pair.swap': 'A と B を入れ替える',
   'pair.add': 'ステージ上のクリップ',
-  'pair.add.more': 'ほか{0}',
   'pair.add.full': 'ステージには {0} クリップまで載せられます。',
   'pair.choose': 'クリップ {0}',
   'pair.choose.none': 'クリップを選ぶ',
