@@ -15,8 +15,9 @@ const MOST_STEPS: usize = 200;
 /// … and how many are usual: only what is told of the progress hangs on it.
 const USUAL_STEPS: usize = 60;
 
-/// The map of any distances. Its spread is exact up to 300 items; above, it is that of 300 items
-/// taken evenly, since it needs all eigenvalues. In pieces: [`MatrixMapSteps`].
+/// The map of any distances. Its spread is exact up to 300 items. Above, one part of it is an estimate:
+/// the sum of all eigenvalues is known, but how much more the positive ones have than all is told of
+/// 300 items taken evenly. In pieces: [`MatrixMapSteps`].
 #[must_use]
 pub fn of_matrix(condensed: &Condensed) -> Map {
     MatrixMapSteps::new(condensed).finish(condensed)
@@ -106,11 +107,25 @@ impl MatrixMapSteps {
                 }
             }
             Work::Spread(spectrum, _) => {
-                self.spread = spread(&spectrum.finish().values);
+                self.spread = self.spread_by_sample(&spectrum.finish().values);
                 Work::Done
             }
             Work::Done => Work::Done,
         };
+    }
+
+    /// The part of the two largest eigenvalues in the positive ones, by all those of some items.
+    fn spread_by_sample(&self, of_sample: &[f64]) -> f64 {
+        let add = |sum: f64, value: &f64| sum + value;
+        let positive = of_sample.iter().filter(|value| **value > 0.0);
+        let (positive, all) = (positive.fold(0.0, add), of_sample.iter().fold(0.0, add));
+        let trace = mean(&self.means) / 2.0 * self.means.len() as f64;
+        let shown = self.axes.values.iter().take(2);
+        let shown = shown.fold(0.0, |sum, value| sum + value.max(0.0));
+        match all > 0.0 && trace > 0.0 {
+            true => (shown / trace * (all / positive)).min(1.0),
+            false => spread(of_sample),
+        }
     }
 
     /// An estimate: how many products are needed is known at the end.
