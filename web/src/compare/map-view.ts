@@ -2,53 +2,43 @@
 import { computed, signal, untracked, type ReadonlySignal } from '@preact/signals-core';
 import { html, nothing, render, type TemplateResult } from 'lit-html';
 import { iconButton } from '../common/buttons';
-import { drawn, styled } from '../common/directives';
 import { element } from '../common/element';
 import { follow } from '../common/mount';
 import type { ClipId } from '../engine/types';
-import { drawFlatFigure, fitFigure } from '../figure/draw-flat-figure';
 import { distanceNumber } from './distance-number';
-import { clusterAnchors, discRadius, drawHulls, drawMarks } from './map-canvas';
+import { drawHulls, drawMarks } from './map-canvas';
 import { MapDiscs } from './map-discs';
+import { figuresBeside, mapFigure, type PlacedFigure } from './map-figures';
 import { MapGlide } from './map-glide';
 import { MapInput } from './map-input';
-import { onScreen, placeFigures, type Box, type MapRoom, type MapTransform } from './map-layout';
+import { onScreen, type Box, type MapRoom, type MapTransform } from './map-layout';
 import { spotOf, type Spots } from './map-spots';
 import type { Point } from './hull';
+import type { Size } from './matrix-geometry';
 import { PairTip } from './pair-tip';
 import type { Scene } from './scene';
 import type { ItemPair, Shared } from './shared';
 
-const figurePx = { width: 44, height: 48, padding: 2 };
-/** Clusters beyond the largest of so many have no figure. */
-const mostFigures = 10;
 const usualMargins: Box = { left: 46, top: 58, right: 46, bottom: 62 };
 const clear: Box = { left: 2, top: 34, right: 2, bottom: 34 };
 const pillPx = { width: 52, height: 20 };
 const shortLinePx = 64;
 
-export interface MapState {
+interface MapState extends Size {
   readonly scene: Scene;
   readonly points: readonly Point[];
-  readonly width: number;
-  readonly height: number;
 }
 
-interface PlacedFigure {
-  readonly item: number;
-  readonly at: Point;
-}
-
-const inside = (width: number, height: number, by: Box): Box => ({
+const inside = ({ width, height }: Size, by: Box): Box => ({
   left: by.left,
   top: by.top,
   right: Math.max(by.left + 1, width - by.right),
   bottom: Math.max(by.top + 1, height - by.bottom),
 });
 
-function roomOf({ width, height }: { width: number; height: number }): MapRoom | null {
-  if (width === 0) return null;
-  return { usual: inside(width, height, usualMargins), outer: inside(width, height, clear) };
+function roomOf(size: Size): MapRoom | null {
+  if (size.width === 0) return null;
+  return { usual: inside(size, usualMargins), outer: inside(size, clear) };
 }
 
 export class MapView {
@@ -140,7 +130,12 @@ export class MapView {
     // Not computed: finding room for figures takes too long for what changes the scene, and has a frame.
     const placed = signal<readonly PlacedFigure[]>([]);
     follow(() => void (placed.value = this.glide.gliding.value ? [] : this.placedFigures()));
-    follow(() => render(this.drawnFigures(placed.value), this.figures));
+    follow(() =>
+      render(
+        placed.value.map((one) => this.figureOf(one)),
+        this.figures,
+      ),
+    );
     follow(() => this.showPill());
     follow(() => this.input.update());
     follow(() => this.showTip());
@@ -163,39 +158,15 @@ export class MapView {
   private placedFigures(): readonly PlacedFigure[] {
     const state = this.state.value;
     if (!state) return [];
-    const { scene, points, width, height } = state;
-    const anchors = clusterAnchors(scene, points, mostFigures);
     const pill = this.pillPlace();
-    const places = placeFigures(anchors, {
-      room: inside(width, height, clear),
-      ...figurePx,
-      points,
-      radius: discRadius(scene.count) + 1,
-      taken: pill ? [pill] : [],
-    });
-    return anchors.flatMap(({ item }, k) => {
-      const at = places[k];
-      return at ? [{ item, at }] : [];
-    });
+    return figuresBeside(state, inside(state, clear), pill ? [pill] : []);
   }
 
-  private drawnFigures(placed: readonly PlacedFigure[]): TemplateResult {
-    const { width, height, padding } = figurePx;
+  private figureOf(placed: PlacedFigure): TemplateResult | typeof nothing {
     const { scene, context } = this.shared;
-    const one = ({ item, at: [x, y] }: PlacedFigure): unknown => {
-      const id = scene.value?.comparison.clips[item] ?? -1;
-      const figure = context.store.clips.value[id]?.thumbnail;
-      if (!figure) return nothing;
-      const draw = (svg: Element): void =>
-        void drawFlatFigure(svg, figure, fitFigure(figure, width, height, padding));
-      return html`<svg
-        class="map-figure"
-        viewBox="0 0 ${width} ${height}"
-        ${styled({ left: `${x - width / 2}px`, top: `${y - height / 2}px` })}
-        ${drawn(figure, draw)}
-      ></svg>`;
-    };
-    return html`${placed.map(one)}`;
+    const id = scene.value?.comparison.clips[placed.item] ?? -1;
+    const figure = context.store.clips.value[id]?.thumbnail;
+    return figure ? mapFigure(figure, placed.at) : nothing;
   }
 
   /** Half way between the two, below them where they stand close. */

@@ -15,7 +15,7 @@ import {
   type MatrixGeometry,
   type Zoom,
 } from './matrix-geometry';
-import { MatrixGrid } from './matrix-grid';
+import { MatrixGrid, type GridState } from './matrix-grid';
 import { MatrixMarks, type MarkedCell } from './matrix-marks';
 import { colourPicture, type PlacedPicture } from './matrix-pixels';
 import { NamesView } from './names-view';
@@ -84,45 +84,39 @@ export class MatrixPane {
   }
 
   private draw(): void {
-    const { scene, palette, selected, hovered, context } = this.shared;
-    const state = () => {
-      const [shown, geometry] = [scene.value, this.geometry.value];
-      return shown && geometry ? { scene: shown, geometry } : null;
-    };
-    follow(() => {
-      const now = state();
-      if (now) this.drawCells(now.scene, now.geometry);
+    const { palette, selected, hovered, context } = this.shared;
+    this.withState((now) => this.drawCells(now));
+    this.withState((now) => drawTree(this.tree, { ...now, palette: palette.value }));
+    this.withState(({ scene, geometry }) => {
+      this.groups.show(scene, geometry, context.language.words.value.t('names.no-label'));
     });
-    follow(() => {
-      const now = state();
-      if (now) drawTree(this.tree, { ...now, palette: palette.value });
+    this.withState((now) => {
+      this.names.update({ ...now, selected: selected.value, hovered: hovered.value });
     });
+    this.withState((now) => this.grid.update(now));
     follow(() => {
-      const now = state();
-      const none = context.language.words.value.t('names.no-label');
-      if (now) this.groups.show(now.scene, now.geometry, none);
-    });
-    follow(() => {
-      const now = state();
-      if (now) this.names.update({ ...now, selected: selected.value, hovered: hovered.value });
-    });
-    follow(() => {
-      const now = state();
-      if (now) this.grid.update(now);
-    });
-    follow(() => {
-      const now = state();
+      const now = this.stateNow();
       const wanted = context.store.compare.cutClusters.value;
       const words = context.language.words.value;
       this.cut.update(now && { ...now, words, wanted });
     });
+    this.withState((now) => this.drawMarks(now));
+  }
+
+  private stateNow(): GridState | null {
+    const [scene, geometry] = [this.shared.scene.value, this.geometry.value];
+    return scene && geometry ? { scene, geometry } : null;
+  }
+
+  /** As long as there is something to draw. */
+  private withState(draw: (state: GridState) => void): void {
     follow(() => {
-      const now = state();
-      if (now) this.drawMarks(now.scene, now.geometry);
+      const now = this.stateNow();
+      if (now) draw(now);
     });
   }
 
-  private drawCells(scene: Scene, geometry: MatrixGeometry): void {
+  private drawCells({ scene, geometry }: GridState): void {
     void this.ratio.value;
     const palette = this.shared.palette.value;
     const { pictures } = this.shared;
@@ -146,7 +140,7 @@ export class MatrixPane {
     return this.coloured.colours;
   }
 
-  private drawMarks(scene: Scene, geometry: MatrixGeometry): void {
+  private drawMarks({ scene, geometry }: GridState): void {
     const { hovered, selected } = this.shared;
     const [over, chosen] = [cellOf(scene, hovered.value), cellOf(scene, selected.value)];
     this.marks.show(geometry, over, chosen);
