@@ -15,8 +15,8 @@ export interface FilmCodec {
 /** Of 0 to 63, the coarsest: letters stay crisp, grounds without bands. */
 const QUANTIZER = 30;
 
-/** Smooth grounds and thin lines: less shows bands around the figures. */
-const BITS_PER_PIXEL = 0.15;
+/** What a film may take, not what it takes: with a third of it WebKitGTK blurs the grid and the ghosts. */
+const BITS_PER_PIXEL = 0.5;
 
 /** Levels of VP9: how many pixels a second, how many a picture. */
 const LEVELS: readonly (readonly [name: string, perSecond: number, perPicture: number])[] = [
