@@ -19,21 +19,27 @@ export function mountClipChoice(place: HTMLElement, context: Context): void {
   const choice = element('div', 'pair-choice');
   choice.setAttribute('role', 'group');
   place.append(choice);
-  const filter = signal('');
+  const lists: Lists = { filter: signal(''), open: signal(null) };
   mount(choice, () => {
     const shown = context.store.compare.page.value === 'pair';
     choice.hidden = !shown;
-    return shown ? clipChoice(context, filter) : nothing;
+    return shown ? clipChoice(context, lists) : nothing;
   });
 }
 
-function clipChoice(context: Context, filter: Signal<string>): TemplateResult {
+/** What the lists share: one is open at a time, and only then it has rows. */
+interface Lists {
+  readonly filter: Signal<string>;
+  readonly open: Signal<string | null>;
+}
+
+function clipChoice(context: Context, lists: Lists): TemplateResult {
   const { store, compareActions, actions, language } = context;
   const words = language.words.value;
   const { otherId, alsoIds } = store.compare;
   const [a, b, also] = [store.openId.value, otherId.value, alsoIds.value];
   const menu = (place: 0 | 1, id: ClipId | null, onChoose: (id: ClipId) => void): TemplateResult =>
-    clipMenu(context, filter, {
+    clipMenu(context, lists, {
       id: `pair-clip-${'ab'[place]}`,
       label: words.t('pair.choose', 'AB'[place]),
       button: html`${who('AB'[place], place)}<span class="pair-clip-name"
@@ -49,7 +55,7 @@ function clipChoice(context: Context, filter: Signal<string>): TemplateResult {
     ${menu(0, a, (id) => (id === b ? swap() : actions.openClip(id)))}
     ${iconButton({ name: 'arrow-up-down', label: words.t('pair.swap'), small: true, disabled: b === null, onPress: swap })}
     ${menu(1, b, (id) => (id === a ? swap() : compareActions.selectOther(id)))}
-    ${clipMenu(context, filter, {
+    ${clipMenu(context, lists, {
       id: 'pair-clip-more',
       label: words.t('pair.add'),
       button: html`${icon('plus', 15)}${also.length > 0 ? also.length : nothing}`,
@@ -78,7 +84,7 @@ interface ClipMenu {
   readonly onChoose: (id: ClipId) => void;
 }
 
-function clipMenu(context: Context, filter: Signal<string>, menu: ClipMenu): TemplateResult {
+function clipMenu(context: Context, { filter, open }: Lists, menu: ClipMenu): TemplateResult {
   const words = context.language.words.value;
   const { id, label, button, chosen } = menu;
   const full = menu.several === true && chosen.length >= mostTogether;
@@ -96,12 +102,16 @@ function clipMenu(context: Context, filter: Signal<string>, menu: ClipMenu): Tem
       id,
       label,
       words,
-      clips: listed(context, words, chosen),
+      clips: open.value === id ? listed(context, words, chosen) : null,
       several: menu.several ?? false,
       notice: full ? words.t('pair.add.full', mostTogether) : '',
       filter: filter.value,
       onFilter: (text) => {
         filter.value = text;
+      },
+      onOpen: (isOpen) => {
+        if (isOpen) open.value = id;
+        else if (open.peek() === id) open.value = null;
       },
       onChoose: menu.onChoose,
     })}`;

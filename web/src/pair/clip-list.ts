@@ -23,13 +23,15 @@ export interface ClipListProps {
   readonly id: string;
   readonly label: string;
   readonly words: Words;
-  readonly clips: readonly ListedClip[];
+  /** null while it is closed: thousands of rows cost what nobody sees. */
+  readonly clips: readonly ListedClip[] | null;
   /** Several can be chosen: the list stays open. */
   readonly several: boolean;
   /** Why no more can be chosen; may be empty. */
   readonly notice: string;
   readonly filter: string;
   readonly onFilter: (text: string) => void;
+  readonly onOpen: (isOpen: boolean) => void;
   readonly onChoose: (id: ClipId) => void;
 }
 
@@ -68,10 +70,10 @@ function row(clip: ListedClip, { several, onChoose }: ClipListProps): TemplateRe
   </button>`;
 }
 
-function rowsOf(props: ClipListProps): TemplateResult {
+function rowsOf(props: ClipListProps, clips: readonly ListedClip[]): TemplateResult {
   const { t } = props.words;
   const wanted = props.filter.trim().toLowerCase();
-  const found = props.clips.filter(({ name, qualifier }) =>
+  const found = clips.filter(({ name, qualifier }) =>
     `${qualifier} ${name}`.toLowerCase().includes(wanted),
   );
   const hidden = found.length - mostRows;
@@ -86,7 +88,9 @@ export function clipList(props: ClipListProps): TemplateResult {
   const { t } = props.words;
   const onToggle = (event: Event): void => {
     const list = event.currentTarget as HTMLElement;
-    if (!list.matches(':popover-open')) return;
+    const isOpen = list.matches(':popover-open');
+    props.onOpen(isOpen);
+    if (!isOpen) return;
     props.onFilter('');
     list.querySelector('input')?.focus();
   };
@@ -111,6 +115,6 @@ export function clipList(props: ClipListProps): TemplateResult {
       />
     </label>
     ${props.notice === '' ? nothing : html`<p class="pair-list-note">${props.notice}</p>`}
-    <div class="pair-list-rows">${rowsOf(props)}</div>
+    <div class="pair-list-rows">${props.clips ? rowsOf(props, props.clips) : nothing}</div>
   </div>`;
 }
