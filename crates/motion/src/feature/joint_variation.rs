@@ -18,7 +18,7 @@ type Row = [f64; PRINCIPAL_JOINTS];
 /// A feature with its parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VariationOfJoints {
-    /// The feature, bit for bit that of [`super::posture_variation`].
+    /// The feature, bit for bit that of [`posture_variation`](super::posture_variation()).
     pub feature: [f64; 12],
     /// What each joint adds to it.
     pub by_joint: [[f64; 12]; PRINCIPAL_JOINTS],

@@ -35,7 +35,7 @@ impl SelectionRule {
     }
 }
 
-/// The parameters of [`crate::keypose::extract`] and of the speed before it.
+/// The parameters of [`extract`](crate::keypose::extract()) and of the speed before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
     /// Cut-off of the coordinates before the speed, in Hz. Default 10.
