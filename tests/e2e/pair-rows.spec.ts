@@ -138,6 +138,6 @@ test('clips of one name are told apart by what the library tells them apart by',
   await expect(clipButton(page, 'a')).toHaveText(/take.*(monday|tuesday)/s);
   for (const day of ['monday', 'tuesday']) {
     await expect(page.locator('.pair-plate', { hasText: day })).toHaveCount(1);
-    await expect(page.locator('.pair-row-name', { hasText: day })).toHaveCount(1);
+    await expect(page.locator('.pair-row-clip', { hasText: day })).toHaveCount(1);
   }
 });

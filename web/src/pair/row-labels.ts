@@ -1,5 +1,5 @@
 /** The clips at their moments in; the names of the rows beside them out. */
-import { html, type TemplateResult } from 'lit-html';
+import { html, nothing, type TemplateResult } from 'lit-html';
 import type { Words } from '../app/i18n/catalogue';
 import { clipName } from '../common/clip-name';
 import { styled } from '../common/directives';
@@ -23,9 +23,8 @@ const at = (top: number) => styled({ top: `${top}px` });
 function clipLabel({ top }: RowPlace, clip: PairClip, { t, format }: Words): TemplateResult {
   const lengthS = (clip.frames - 1) * clip.frameTimeS;
   return html`<div class="pair-row-clip" ${at(top + 6)}>
-    <span class="pair-row-name"
-      >${who(clip.letter, clip.place)} <b>${clipName(clip.name, clip.qualifier)}</b></span
-    >
+    <span class="pair-row-name">${who(clip.letter, clip.place)} <b>${clipName(clip.name)}</b></span>
+    ${clip.qualifier === '' ? nothing : html`<span class="pair-row-note">${clip.qualifier}</span>`}
     <span class="pair-row-note">${t('unit.seconds', format.decimal(lengthS, 2))}</span>
   </div>`;
 }
