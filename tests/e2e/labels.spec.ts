@@ -85,6 +85,12 @@ test('of many labels a part is drawn, and all are reached', async ({ app, page }
   await expect(confusion.getByRole('columnheader').last()).toHaveText(/m39/);
   await expect(confusion.getByRole('columnheader').last()).toBeInViewport({ ratio: 1 });
   await expect(confusion.getByRole('rowheader').last()).toBeInViewport({ ratio: 1 });
+  const errors = page.locator('.evaluation-errors');
+  await expect(errors.getByRole('heading')).toHaveText('40 errors');
+  expect(await errors.getByRole('listitem').count()).toBeLessThan(30);
+  await errors.evaluate((scroll) => scroll.scrollTo(0, scroll.scrollHeight));
+  await expect(errors.getByRole('listitem').last()).toHaveAttribute('aria-posinset', '40');
+  await expect(errors.getByRole('listitem').last()).toBeInViewport({ ratio: 1 });
   const legend = page.getByRole('list', { name: 'Labels' });
   const others = legend.getByRole('listitem').last();
   await expect(others).toHaveText('… and 28 more');
