@@ -1,4 +1,5 @@
 /** What a person decides about a recording is shown, computed with, and can be undone and redone. */
+import { readFileSync } from 'node:fs';
 import { sampleFiles } from './support/motions';
 import { reportOf } from './support/reports';
 import { expect, test } from './support/test';
@@ -92,22 +93,37 @@ test('a value that cannot be is not taken', async ({ app }) => {
   await expect(app.button('Undo')).toBeDisabled();
 });
 
-test('up axis and unit: body height and ground follow', async ({ app }) => {
+test('up axis, unit and ground: body height and ground follow', async ({ app, page }) => {
   const [path = ''] = sampleFiles('walk-hik-30');
   await app.openWith(path);
   await app.tab('Body');
   const body = app.section('Measures');
   await app.field('Up axis').selectOption('+Z');
   const sideways = reportOf(path, '--up=+Z');
-  const ground = Math.abs(sideways.ground_height).toFixed(
-    Math.abs(sideways.ground_height) >= 100 ? 1 : Math.abs(sideways.ground_height) >= 10 ? 2 : 3,
-  );
-  await expect(body).toContainText(`${ground} units`);
+  const ground = app.field('Ground');
+  const shown = async (): Promise<number> => Number(await ground.inputValue());
+  await expect
+    .poll(async () => Math.abs((await shown()) - sideways.ground_height))
+    .toBeLessThan(0.06);
+  const found = await ground.inputValue();
+  await ground.fill('-12.5');
+  await ground.press('Enter');
+  await ground.blur();
+  await app.settled();
+  await app.tab('Export');
+  const download = page.waitForEvent('download');
+  await app.button('Keyposes, JSON').click();
+  const saved: unknown = JSON.parse(readFileSync(await (await download).path(), 'utf8'));
+  expect(saved).toEqual(reportOf(path, '--up=+Z', '--ground-height=-12.5'));
+  expect(saved).toMatchObject({ ground_height: -12.5, ground_source: 'user' });
+  await app.tab('Body');
+  await app.button('Back to automatic: Ground').click();
+  await expect(ground).toHaveValue(found);
   await app.field('Unit').selectOption('m');
   await expect(body).toContainText(`units, ${reportOf(path).body.height.toFixed(2)} m`);
   await app.field('Unit').selectOption('');
   await expect(body).not.toContainText(`units, ${reportOf(path).body.height.toFixed(2)} m`);
-  for (const what of ['unit', 'unit', 'up axis']) {
+  for (const what of ['unit', 'unit', 'ground', 'ground', 'up axis']) {
     await app.button(`Undo: ${what}`).click();
   }
   await expect(app.button('Undo')).toBeDisabled();
@@ -134,7 +150,11 @@ test('a removed clip comes back, with what was decided about it', async ({ app, 
 
   await app.row('walk-poser-30.bvh').getByRole('button').first().press('Delete');
   await expect(app.rows).toHaveCount(0);
-  await expect(page.getByRole('heading', { name: 'See the keyposes of a motion, and which motions are alike.' })).toBeVisible();
+  await expect(
+    page.getByRole('heading', {
+      name: 'See the keyposes of a motion, and which motions are alike.',
+    }),
+  ).toBeVisible();
   await page.keyboard.press('Control+z');
   await app.expectNames('walk-poser-30.bvh');
   await app.tab('Method');

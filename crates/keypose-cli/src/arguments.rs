@@ -201,6 +201,9 @@ pub struct Overrides {
     /// The unit of length: m, dm, cmu, inch, cm or mm.
     #[arg(long, value_name = "UNIT")]
     pub unit: Option<String>,
+    /// The height of the ground along the up axis, in the file's units of length.
+    #[arg(long, value_name = "HEIGHT", allow_hyphen_values = true)]
+    pub ground_height: Option<f64>,
     /// A joint of the file that stands for a part of the body, e.g. left_wrist=LeftHand; can be
     /// given more than once.
     #[arg(long = "joint", value_name = "ROLE=JOINT")]

@@ -80,6 +80,7 @@ impl Wishes {
             leading_rest_frames: overrides.leading_rest_frames,
             up: overrides.up.as_deref().map(up_from_name).transpose()?,
             unit: overrides.unit.as_deref().map(unit_from_name).transpose()?,
+            ground_height: overrides.ground_height,
             joints: Vec::new(),
         };
         decisions.validate()?;

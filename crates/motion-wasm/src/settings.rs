@@ -24,6 +24,8 @@ extern "C" {
     fn up(this: &JsDecisions) -> Option<String>;
     #[wasm_bindgen(method, getter, structural)]
     fn unit(this: &JsDecisions) -> Option<String>;
+    #[wasm_bindgen(method, getter, structural, js_name = groundHeight)]
+    fn ground_height(this: &JsDecisions) -> Option<f64>;
     #[wasm_bindgen(method, getter, structural)]
     fn joints(this: &JsDecisions) -> Option<Vec<JsJoint>>;
 
@@ -72,6 +74,7 @@ pub fn decisions(from: &JsDecisions) -> Result<Decisions, SettingsError> {
         leading_rest_frames: leading_rest_frames(from)?,
         up: from.up().map(up).transpose()?,
         unit: from.unit().map(unit).transpose()?,
+        ground_height: from.ground_height(),
         joints: joints(from.joints().unwrap_or_default())?,
     })
 }

@@ -3,7 +3,7 @@
 
 mod support;
 
-use motion::analysis::{Analyser, Analysis, Decisions, JointDecision, analyse, survey};
+use motion::analysis::{Analyser, Analysis, Decisions, JointDecision, Source, analyse, survey};
 use motion::body::{self, Role};
 use motion::bvh;
 use motion::clip::Clip;
@@ -417,6 +417,28 @@ fn a_skeleton_without_motion_stands_on_the_ground() {
     assert_eq!(clip.frames, 0);
     let analysis = analyse(&clip, &Decisions::default(), &Options::default()).unwrap();
     assert_eq!(analysis.performers[0].survey.ground_height, 1.0 - 5.0);
+    assert_eq!(analysis.performers[0].survey.ground_source, Source::Found);
+}
+
+#[test]
+fn the_ground_is_where_a_person_says() {
+    let clip = bvh::parse(STICK.as_bytes()).unwrap();
+    let found = analyse(&clip, &Decisions::default(), &Options::default()).unwrap();
+    let decisions = Decisions {
+        ground_height: Some(-12.5),
+        ..Decisions::default()
+    };
+    let decided = analyse(&clip, &decisions, &Options::default()).unwrap();
+    let mut analyser = Analyser::new();
+    for (wish, expected) in [(Decisions::default(), &found), (decisions, &decided)] {
+        analyser.begin(&clip, &wish, &Options::default()).unwrap();
+        assert_eq!(&finished(&mut analyser, &clip), expected);
+    }
+    let (found, decided) = (&found.performers[0].survey, &decided.performers[0].survey);
+    assert_eq!(decided.ground_height, -12.5);
+    assert_eq!(decided.ground_source, Source::User);
+    assert_eq!(decided.up, found.up);
+    assert_eq!(decided.feature, found.feature);
 }
 
 #[test]

@@ -50,6 +50,7 @@ fn an_object_a_line_with_every_member() {
         "up",
         "up_source",
         "ground_height",
+        "ground_source",
         "unit",
         "unit_source",
         "body",

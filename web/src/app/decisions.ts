@@ -10,6 +10,7 @@ export const decisionLabels: Readonly<Record<DecisionKey, MessageKey>> = {
   leadingRestFrames: 'change.leading-rest',
   up: 'change.up',
   unit: 'change.unit',
+  groundHeight: 'change.ground',
   joints: 'change.joints',
 };
 

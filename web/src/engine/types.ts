@@ -38,6 +38,8 @@ export interface Decisions {
   readonly leadingRestFrames?: number;
   readonly up?: UpAxis;
   readonly unit?: UnitName;
+  /** Along the up axis, in file units. */
+  readonly groundHeight?: number;
   /** Joints of the file that stand for principal joints, by performer. */
   readonly joints?: readonly JointDecision[];
 }

@@ -4,7 +4,7 @@ import type { Words } from '../app/i18n/catalogue';
 import { icon } from '../common/icons';
 import type { BodyJoint, PerformerResult, Role } from '../engine/types';
 import { bodyFigure, plainFigure } from './body-figure';
-import { unitRow, upAxisRow, type ClipSettingsProps } from './clip-settings';
+import { digitsFor, groundRow, unitRow, upAxisRow, type ClipSettingsProps } from './clip-settings';
 import type { JointCopies, JointRole } from '../app/joint-choices';
 import { jointFieldId, jointTable } from './joint-table';
 import { fact, section } from './section';
@@ -27,10 +27,6 @@ function sources({ t, format }: Words, joints: readonly BodyJoint[]): string {
     .map((source) => t('body.sources.one', format.integer(count(source)), t(`source.${source}`)));
   return counts.join(t('join.list'));
 }
-
-/** Digits enough to tell bodies apart in any unit. */
-const digitsFor = (value: number): number =>
-  Math.abs(value) >= 100 ? 1 : Math.abs(value) >= 10 ? 2 : 3;
 
 function heightText({ t, format }: Words, { body, unit }: PerformerResult): string {
   const height = format.decimal(body.height, digitsFor(body.height));
@@ -95,16 +91,15 @@ function jointsSection(props: BodyProps): TemplateResult {
 function measuresSection(props: BodyProps): TemplateResult {
   const { words, performer } = props;
   const { t, format } = words;
-  const { body, skeleton, groundHeight } = performer;
-  const ground = t('recording.in-file', format.decimal(groundHeight, digitsFor(groundHeight)));
+  const { body, skeleton } = performer;
   const facts = html`<dl class="facts">
-    ${fact(t('body.height'), heightText(words, performer))} ${fact(t('recording.ground'), ground)}
+    ${fact(t('body.height'), heightText(words, performer))}
     ${body.kind === 'human' ? nothing : fact(t('body.all-joints'), format.integer(skeleton.labels.length))}
   </dl>`;
   return section({
     label: t('body.measures'),
     title: false,
-    body: html`${upAxisRow(props)}${unitRow(props)}${facts}`,
+    body: html`${upAxisRow(props)}${unitRow(props)}${groundRow(props)}${facts}`,
   });
 }
 

@@ -1,4 +1,4 @@
-/** What a person can say of a recording instead of what was found: rate, leading frames, up axis, unit. */
+/** What a person can say of a recording instead of what was found: rate, leading frames, up axis, unit, ground. */
 import type { TemplateResult } from 'lit-html';
 import type { Clip } from '../app/clips';
 import type { DecisionKey } from '../app/decisions';
@@ -25,6 +25,7 @@ export const settingIds: Readonly<Record<SettingKey, string>> = {
   leadingRestFrames: 'leading-frames',
   up: 'up-axis',
   unit: 'unit',
+  groundHeight: 'ground',
 };
 
 const axes: readonly UpAxis[] = ['+X', '-X', '+Y', '-Y', '+Z', '-Z'];
@@ -44,22 +45,23 @@ function resetOf({ words, clip, onDecide }: ClipSettingsProps, key: SettingKey, 
 }
 
 interface NumberRow {
-  readonly key: 'frameRateHz' | 'leadingRestFrames';
+  readonly key: 'frameRateHz' | 'leadingRestFrames' | 'groundHeight';
   readonly label: MessageKey;
   readonly found: number;
   readonly unit: string;
+  readonly step?: number;
   readonly refuse: (value: number) => string | null;
 }
 
 function numberRow(props: ClipSettingsProps, row: NumberRow): TemplateResult {
   const { words, clip, refusals, onDecide } = props;
-  const { key, found, unit, refuse } = row;
+  const { key, found, unit, step = 1, refuse } = row;
   const id = settingIds[key];
   const label = words.t(row.label);
   const value = clip.decisions[key] ?? found;
   const basis = `${clip.id} ${value}`;
   const onValue = (decided: number): void => onDecide(key, decided);
-  const setting = { id, value, basis, unit, step: 1, refuse, onValue };
+  const setting = { id, value, basis, unit, step, refuse, onValue };
   return settingRow({
     id,
     label,
@@ -142,5 +144,23 @@ export function unitRow(props: ClipSettingsProps): TemplateResult {
     label: 'recording.unit',
     found: unit ? t(`unit.${unit.name}`) : t('recording.unit.unknown'),
     options: units.map((name) => [name, t(`unit.${name}`)]),
+  });
+}
+
+/** Digits enough to tell bodies apart in any unit. */
+export const digitsFor = (value: number): number =>
+  Math.abs(value) >= 100 ? 1 : Math.abs(value) >= 10 ? 2 : 3;
+
+/** A step is about a centimetre of a person. */
+export function groundRow(props: ClipSettingsProps): TemplateResult {
+  const { t } = props.words;
+  const { body, groundHeight } = props.performer;
+  return numberRow(props, {
+    key: 'groundHeight',
+    label: 'recording.ground',
+    found: Number(groundHeight.toFixed(digitsFor(groundHeight))),
+    unit: t('recording.units'),
+    step: body.height > 0 ? 10 ** Math.round(Math.log10(body.height / 150)) : 1,
+    refuse: (height) => (Number.isFinite(height) ? null : t('wrong.number')),
   });
 }

@@ -44,7 +44,7 @@ pub struct Posed<'a> {
 impl PoseRun {
     /// Takes away what other decisions make invalid. Returns whether the track is among it.
     pub fn change(&mut self, before: &Decisions, after: &Decisions) -> bool {
-        if before.up != after.up {
+        if before.up != after.up || before.ground_height != after.ground_height {
             self.surroundings = None;
         }
         let is_same_track = before.leading_rest_frames == after.leading_rest_frames;

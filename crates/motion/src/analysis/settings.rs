@@ -26,6 +26,8 @@ pub struct Decisions {
     pub up: Option<Up>,
     /// The unit of length.
     pub unit: Option<Unit>,
+    /// The height of the ground along the up axis, in file units.
+    pub ground_height: Option<f64>,
     /// Which joints stand for which parts of the body; of two for one part the later.
     pub joints: Vec<JointDecision>,
 }
@@ -129,15 +131,21 @@ impl Decisions {
     /// Says which other decision, if any, has a value that it cannot have.
     ///
     /// # Errors
-    /// The frame rate, if it is not from 0.01 to 100 000.
+    /// The frame rate, if it is not from 0.01 to 100 000; the ground, if it is not finite.
     pub fn validate(&self) -> Result<(), SettingsError> {
-        match self.frame_rate_hz {
-            Some(hz) if !(0.01..=100_000.0).contains(&hz) => Err(SettingsError {
-                field: "frame_rate_hz",
-                found: hz.to_string(),
-                expected: "a rate from 0.01 to 100000 frames per second",
-            }),
-            _ => Ok(()),
+        let is_rate = |hz: &f64| (0.01..=100_000.0).contains(hz);
+        let wrong = |field, value: f64, expected| SettingsError {
+            field,
+            found: value.to_string(),
+            expected,
+        };
+        if let Some(hz) = self.frame_rate_hz.filter(|hz| !is_rate(hz)) {
+            let expected = "a rate from 0.01 to 100000 frames per second";
+            return Err(wrong("frame_rate_hz", hz, expected));
+        }
+        match self.ground_height.filter(|height| !height.is_finite()) {
+            Some(height) => Err(wrong("ground_height", height, "a finite height")),
+            None => Ok(()),
         }
     }
 }
@@ -145,6 +153,19 @@ impl Decisions {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_ground_that_is_nowhere_is_named() {
+        let ground = |height| Decisions {
+            ground_height: Some(height),
+            ..Decisions::default()
+        };
+        for height in [f64::NAN, f64::NEG_INFINITY] {
+            let error = ground(height).validate().unwrap_err();
+            assert_eq!(error.field, "ground_height");
+        }
+        assert_eq!(ground(-3.5).validate(), Ok(()));
+    }
 
     #[test]
     fn a_wrong_rate_is_named() {

@@ -13,6 +13,7 @@ use crate::world::{self, Up};
 pub struct Surroundings {
     pub up: (Up, Source),
     pub ground_height: f64,
+    pub ground_source: Source,
     pub front_yaw_rad: f64,
 }
 
@@ -27,8 +28,17 @@ impl Surroundings {
         decisions: &Decisions,
     ) -> Self {
         let up = up(footing, decisions);
+        let found = || {
+            (
+                ground_height(clip, performer, body, footing, up.0),
+                Source::Found,
+            )
+        };
+        let decided = decisions.ground_height.map(|height| (height, Source::User));
+        let (ground_height, ground_source) = decided.unwrap_or_else(found);
         Self {
-            ground_height: ground_height(clip, performer, body, footing, up.0),
+            ground_height,
+            ground_source,
             front_yaw_rad: facing::front_yaw_rad(clip, performer, frame, up.0),
             up,
         }

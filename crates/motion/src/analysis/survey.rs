@@ -35,6 +35,8 @@ pub struct PerformerSurvey {
     pub up: (Up, Source),
     /// The height of the ground along the up axis, in file units.
     pub ground_height: f64,
+    /// Where that is from.
+    pub ground_source: Source,
     /// The unit of length and where it is from; none if unknown.
     pub unit: Option<(Unit, Source)>,
     /// How many frames before the motion were left out, and why.
@@ -68,6 +70,7 @@ impl PerformerSurvey {
             height: placement.frame.height,
             up: surroundings.up,
             ground_height: surroundings.ground_height,
+            ground_source: surroundings.ground_source,
             unit,
             leading_rest: placement.leading_rest,
             frames: followed.track.frames(),

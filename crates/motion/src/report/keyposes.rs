@@ -52,6 +52,7 @@ fn motion_members(found: &PerformerAnalysis) -> Members {
         ("up", found.survey.up.0.name().into()),
         ("up_source", found.survey.up.1.name().into()),
         ("ground_height", found.survey.ground_height.into()),
+        ("ground_source", found.survey.ground_source.name().into()),
         (
             "unit",
             found.survey.unit.map(|(unit, _)| unit.name()).into(),

@@ -96,6 +96,7 @@ export const englishInspector = {
   'recording.reset': 'Back to automatic: {0}',
   'recording.ground': 'Ground',
   'recording.in-file': '{0} units',
+  'recording.units': 'units',
 
   'body.title': 'Body',
   'body.height': 'Body height',

@@ -246,6 +246,7 @@ export const en = {
   'change.scale-ratio': 'ratio of the scales',
   'change.selection': 'selection',
   'change.unit': 'unit',
+  'change.ground': 'ground',
   'change.label': 'label',
   'change.labels': 'labels',
 

@@ -98,6 +98,7 @@ export const japaneseInspector: Readonly<Record<keyof typeof englishInspector, M
   'recording.reset': '自動に戻す：{0}',
   'recording.ground': '床の高さ',
   'recording.in-file': '{0} 単位',
+  'recording.units': '単位',
 
   'body.title': '体',
   'body.height': '身長',

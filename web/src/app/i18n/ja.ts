@@ -236,6 +236,7 @@ export const ja: Readonly<Record<keyof typeof en, Message>> = {
   'change.scale-ratio': 'スケールの比',
   'change.selection': '選び方',
   'change.unit': '単位',
+  'change.ground': '床の高さ',
   'change.label': 'ラベル',
   'change.labels': 'ラベル付け',
 
