@@ -45,6 +45,21 @@ test('sort by every measure, filter, and walk', async ({ app, page }) => {
   await app.expectNames(poser, dance, hik);
 });
 
+test('keys walk on from a pressed row where a press moves no focus by itself', async ({
+  app,
+  page,
+}) => {
+  await page.addInitScript(() => addEventListener('mousedown', (event) => event.preventDefault()));
+  await app.openWith(...sampleFiles('walk-poser-30', 'walk-hik-30'));
+  await app.row('walk-poser-30.bvh').getByRole('button').first().click();
+  await page.keyboard.press('ArrowDown');
+  await expect(app.openName).toHaveText('walk-hik-30.bvh');
+  // A menu gives the focus back to its button.
+  await app.button('Sort').click();
+  await page.keyboard.press('Escape');
+  await expect(app.button('Sort')).toBeFocused();
+});
+
 test('what a filter finds is shown from its beginning', async ({ app, page }) => {
   const walk = sampleBytes('walk-hik-30');
   const names = ['open.bvh', ...Array.from({ length: 50 }, (_, n) => `walk${n}.bvh`)];

@@ -13,6 +13,7 @@ import { listenToDrops } from './shell/drop';
 import { tellErrors } from './shell/errors';
 import { layOut } from './shell/layout';
 import { mountPage } from './shell/page';
+import { focusPressed } from './shell/press-focus';
 import { prefetchStudy } from './shell/prefetch';
 import { installTips } from './shell/tips';
 
@@ -41,6 +42,7 @@ function start(root: HTMLElement, context: Context): void {
     off: stageOff,
     reducedMotion: matchMedia('(prefers-reduced-motion: reduce)').matches,
   });
+  focusPressed(document);
   listenToKeys(document, (command) => runCommand(context, command));
   listenToDrops(document, {
     onHover: (over) => {
