@@ -44,11 +44,12 @@ impl Traces {
         (0..contributions.len()).reduce(larger)
     }
 
-    /// U of every candidate.
+    /// U of every candidate; 0 without a trace (the standard library's sum of nothing is −0).
     pub fn intensity(&self) -> Vec<f64> {
         let candidates = 0..self.offsets.len().saturating_sub(1);
+        let sum = |contributions: &[f64]| contributions.iter().fold(0.0, |sum, u| sum + u);
         candidates
-            .map(|candidate| self.of(candidate).1.iter().sum())
+            .map(|candidate| sum(self.of(candidate).1))
             .collect()
     }
 }
@@ -122,6 +123,7 @@ mod tests {
         assert_eq!(traces.of(1).0.len(), 0);
         assert_eq!(traces.places, [5.25, 9.25, 10.25]);
         assert_eq!(traces.intensity(), [1.0, 0.0, 2.5]);
+        assert!(traces.intensity()[1].is_sign_positive());
     }
 
     #[test]
