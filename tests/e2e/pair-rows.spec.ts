@@ -108,6 +108,7 @@ test('zoomed, a bar at each strip shows the part of its clip and moves it', asyn
   await expect(bar).toBeHidden();
   for (const press of ['Home', 'z', 'z']) await page.keyboard.press(press);
   await expect(bar).toBeVisible();
+  await expect(bar).toHaveAttribute('aria-controls', 'pair-area');
   await expect(bar).toHaveAttribute('aria-valuetext', /^0\.0 to \d\.\d of \d\.\d seconds$/);
   const place = () => bar.getAttribute('aria-valuenow').then(Number);
   expect(await place()).toBe(0);

@@ -29,6 +29,7 @@ import type { Two, TwoSignal } from './two';
 export function mountRows(place: HTMLElement, context: Context, state: PairState): void {
   const gutter = element('div', 'row-gutter');
   const area = element('div', 'pair-area');
+  area.id = 'pair-area';
   place.append(gutter, area);
   area.style.height = gutter.style.height = `${ROWS_HEIGHT}px`;
   const width = signal(0);

@@ -24,6 +24,7 @@ export function showSpans(
       },
     });
     bar.element.classList.add('ab'[clip]);
+    bar.element.setAttribute('aria-controls', area.id);
     bar.element.style.top = `${tops[clip]}px`;
     area.append(bar.element);
     follow(() => {
