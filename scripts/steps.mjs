@@ -36,3 +36,9 @@ export function runSteps(steps) {
 export function nodeProgram(path, ...args) {
   return [process.execPath, `node_modules/${path}`, ...args];
 }
+
+/** The keypose command that tests run; where `cargo test` ran, nothing is compiled again: profiles dev and test are one. */
+export const commandStep = {
+  name: 'keypose command',
+  command: ['cargo', 'build', '--locked', '--quiet', '-p', 'keypose-cli'],
+};

@@ -1,14 +1,11 @@
 // `npm run test:long`: what takes too long for every change: an hour of motion, thousands of clips, many
 // more random files. Out: each step's time.
-import { nodeProgram, runSteps } from './steps.mjs';
+import { commandStep, nodeProgram, runSteps } from './steps.mjs';
 
 process.env.PROPTEST_CASES ??= '50000';
 
 runSteps([
-  {
-    name: 'keypose command (release)',
-    command: ['cargo', 'build', '--locked', '--quiet', '--release', '-p', 'keypose-cli'],
-  },
+  commandStep,
   {
     name: 'Rust properties, 50 000 cases each',
     command: ['cargo', 'test', '--locked', '--quiet', '-p', 'motion', '--test', 'bvh_properties'],

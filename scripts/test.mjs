@@ -1,13 +1,9 @@
 // `npm test`: that the numbers are right and the page does what it says. Out: each step's time.
-import { nodeProgram, runSteps } from './steps.mjs';
+import { commandStep, nodeProgram, runSteps } from './steps.mjs';
 
 runSteps([
   { name: 'Rust tests', command: ['cargo', 'test', '--locked', '--quiet', '--no-fail-fast'] },
-  // Nothing is compiled again: profiles dev and test are one.
-  {
-    name: 'keypose command',
-    command: ['cargo', 'build', '--locked', '--quiet', '-p', 'keypose-cli'],
-  },
+  commandStep,
   { name: 'TypeScript unit tests', command: nodeProgram('vitest/vitest.mjs', 'run') },
   { name: 'browser tests', command: nodeProgram('@playwright/test/cli.js', 'test') },
 ]);
