@@ -40,5 +40,5 @@ export function nodeProgram(path, ...args) {
 /** The keypose command that tests run; where `cargo test` ran, nothing is compiled again: profiles dev and test are one. */
 export const commandStep = {
   name: 'keypose command',
-  command: ['cargo', 'build', '--locked', '--quiet', '-p', 'keypose-cli'],
+  command: ['cargo', 'build', '--locked', '--quiet', '--bin', 'keypose'],
 };

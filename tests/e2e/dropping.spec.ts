@@ -73,7 +73,11 @@ test('a folder and files without a motion are told, and leave the page as it was
   await expect(app.toast).toHaveText('No BVH files in empty.');
   await app.drop(picture);
   await expect(app.toast).toHaveText('picture.png is no BVH file.');
-  await expect(page.getByRole('heading', { name: 'See the keyposes of a motion, and which motions are alike.' })).toBeVisible();
+  await expect(
+    page.getByRole('heading', {
+      name: 'See the keyposes of a motion, and which motions are alike.',
+    }),
+  ).toBeVisible();
 });
 
 test('a .zip: its motions with their folders, and no row for what else is in it', async ({

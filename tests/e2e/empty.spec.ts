@@ -30,7 +30,9 @@ test('stands before the WebAssembly has come, and then gets its pictures', async
     await route.continue();
   });
   await app.open();
-  await expect(page.getByRole('heading', { level: 1 })).toHaveText('See the keyposes of a motion, and which motions are alike.');
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText(
+    'See the keyposes of a motion, and which motions are alike.',
+  );
   await expect(page.locator('.sample-open')).toHaveCount(4);
   await expect(app.button('Choose files')).toBeVisible();
   await expect(pictures(page)).toHaveCount(0);

@@ -65,7 +65,9 @@ test('the switch turns every view to Japanese and back, and stays', async ({ app
   expect((await english(page)).length).toBeGreaterThan(10);
   await page.getByRole('button', { name: '日本語' }).click();
   await expect(page.locator('html')).toHaveAttribute('lang', 'ja');
-  await expect(page.getByRole('heading', { level: 1 })).toHaveText('動きのキーポーズと、似た動きが見える。');
+  await expect(page.getByRole('heading', { level: 1 })).toHaveText(
+    '動きのキーポーズと、似た動きが見える。',
+  );
   await expect(page.locator('.sample-open')).toHaveCount(4);
   await expectNoEnglish(page);
 

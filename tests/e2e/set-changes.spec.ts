@@ -103,7 +103,11 @@ test('A and B of a pair are removed and brought back, on Compare as on Pair', as
   for (const name of ['walk-hik-30.bvh', 'walk-poser-30.bvh']) {
     await remove(app, name);
   }
-  await expect(page.getByRole('heading', { name: 'See the keyposes of a motion, and which motions are alike.' })).toBeVisible();
+  await expect(
+    page.getByRole('heading', {
+      name: 'See the keyposes of a motion, and which motions are alike.',
+    }),
+  ).toBeVisible();
   for (let n = 0; n < 3; n++) await page.keyboard.press('Control+z');
   await expect(names(page)).toHaveCount(3);
 });
