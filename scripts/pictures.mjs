@@ -56,6 +56,8 @@ function takeComparison(colorScheme, files) {
     await page.locator('.page-tab').nth(2).click();
     await page.waitForTimeout(settleMs);
     for (let count = 0; count < 3; count++) await page.keyboard.press('k');
+    // No ring around what was pressed before the keys.
+    await page.evaluate(() => document.activeElement.blur());
     await page.waitForTimeout(settleMs);
     await page.screenshot({ path: `${folder}/pair-${colorScheme}.png` });
   });

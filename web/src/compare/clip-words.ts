@@ -14,7 +14,8 @@ export const plainName = (name: string): string => name.replace(/\.bvh$/i, '');
 const plainTail = 5;
 
 /** Such a name in one line; where room is short it loses its middle. */
-export const nameLine = (name: string): TemplateResult => clipName(name, '', plainTail);
+export const nameLine = (name: string, tail = plainTail): TemplateResult =>
+  clipName(name, '', tail);
 
 export type NameOf = (clip: Clip | null | undefined) => string;
 

@@ -31,6 +31,9 @@ export interface WhyPanelProps {
   readonly onNeighbour: (id: ClipId) => void;
 }
 
+/** Letters that a card has room for: of a name, and of the end of a longer one. */
+const cardName = 6;
+const cardTail = 4;
 const cards = 6;
 const cardWidth = 58;
 const cardHeight = 44;
@@ -95,16 +98,19 @@ function card(props: WhyPanelProps, { clip: id, distance, mirrored }: Neighbour)
     if (figure)
       drawFlatFigure(parent, figure, fitFigure(figure, cardWidth, cardHeight, cardPadding));
   };
+  const name = nameOf(clip);
   return html`<li>
     <button
       type="button"
       class="near-card"
-      title=${nameOf(clip)}
+      title=${name}
       aria-pressed=${String(b?.id === id)}
       @click=${() => onNeighbour(id)}
     >
       <svg viewBox="0 0 ${cardWidth} ${cardHeight}" aria-hidden="true" ${drawn(figure, draw)}></svg>
-      <span class="near-name">${namedMark(labelOf(id))}${nameLine(nameOf(clip))}</span>
+      <span class="near-name ${name.length > cardName ? 'cut' : ''}"
+        >${namedMark(labelOf(id))}${nameLine(name, cardTail)}</span
+      >
       <span class="near-distance"
         >${distanceNumber(words.format, distance)}${mirrored ? mirrorSign(words) : nothing}</span
       >
