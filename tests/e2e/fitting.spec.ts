@@ -133,6 +133,32 @@ test.describe('with fingers', () => {
     await expect.poll(() => app.frame()).toBeGreaterThan(tapped);
   });
 
+  test('a swipe over the rows of a pair leaves the moment; a tap and a drag move it', async ({
+    app,
+    page,
+  }) => {
+    await app.openWith(...files);
+    await tab(page, 2).click();
+    /** On A's speed. */
+    const place = async (): Promise<[number, number]> => {
+      const box = (await page.locator('.pair-area').boundingBox())!;
+      return [box.x + 200, box.y + 110];
+    };
+    const [x, y] = await place();
+    const clock = page.locator('.pair-clock .clock-time').first();
+    const before = await clock.innerText();
+    const touch = await fingers(page);
+    await touch.drag([[x, y]], [[x, y - 60]]);
+    await expect(clock).toHaveText(before);
+    const [, there] = await place();
+    expect(there).toBeLessThan(y);
+    await page.touchscreen.tap(x, there);
+    await expect(clock).not.toHaveText(before);
+    const tapped = Number(await clock.innerText());
+    await touch.drag([[x, there]], [[x + 30, there]]);
+    await expect.poll(async () => Number(await clock.innerText())).toBeGreaterThan(tapped);
+  });
+
   test('a long press on an icon names it', async ({ app, page }) => {
     await app.openWith(...files);
     const box = (await app.button('Next keypose').boundingBox())!;

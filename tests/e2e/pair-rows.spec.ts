@@ -98,6 +98,26 @@ test('a press on a ruler goes there, a drag of the flag on it scrubs', async ({ 
   await expect(page.locator('.pair-loop')).toBeHidden();
 });
 
+test('tabs of a short loop stand beside each other and beside the flags of time', async ({
+  app,
+  page,
+}) => {
+  await openPair(app, ...sampleFiles(walk, run));
+  await page.getByRole('button', { name: 'Start', exact: true }).click();
+  for (const key of ['[', 'ArrowRight', ']']) await page.keyboard.press(key);
+  for (const clip of ['A', 'B'] as const) {
+    const flag = page.locator('.pair-flag rect').nth(clip === 'A' ? 0 : 1);
+    const [a, b, time] = await Promise.all(
+      [end(page, 'A', clip), end(page, 'B', clip), flag].map(
+        async (one) => (await one.boundingBox())!,
+      ),
+    );
+    expect(a.x + a.width).toBeLessThanOrEqual(b.x + 0.5);
+    const apart = clip === 'A' ? a.y - (time.y + time.height) : time.y - (a.y + a.height);
+    expect(apart).toBeGreaterThanOrEqual(-0.5);
+  }
+});
+
 test('zoomed, a bar at each strip shows the part of its clip and moves it', async ({
   app,
   page,

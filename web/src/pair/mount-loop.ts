@@ -4,7 +4,7 @@ import { follow } from '../common/mount';
 import { timelineText } from '../study/study-text';
 import type { LoopText } from '../timeline/loop-tabs';
 import { rangeOf, setLoop } from './loop-frames';
-import { type LoopRanges, PairLoop } from './pair-loop';
+import { type LoopRanges, PairLoopBand } from './pair-loop-band';
 import type { PairState } from './pair-state';
 import type { Two, TwoSignal } from './two';
 
@@ -21,7 +21,7 @@ export function showLoop(
     const alignment = state.alignment.value;
     return loop && [rangeOf(0, loop, alignment, shown), rangeOf(1, loop, alignment, shown)];
   };
-  const view = new PairLoop(area, {
+  const view = new PairLoopBand(area, {
     onLoop: (clip, range) => setLoop(state, two.peek(), clip, range),
   });
   follow(() => {

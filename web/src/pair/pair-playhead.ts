@@ -5,8 +5,10 @@ import { svgElement } from './svg-element';
 
 const FLAG_WIDTH = 46;
 const FLAG_HEIGHT = 18;
-const FLAG_A_Y = rows.ribbon.top - FLAG_HEIGHT + 9;
-const FLAG_B_Y = rows.speedB.top - 9;
+/** How far the flags reach into the ribbon, on whose edges they stand. */
+export const FLAG_REACH = FLAG_HEIGHT / 2;
+const FLAG_A_Y = rows.ribbon.top - FLAG_REACH;
+const FLAG_B_Y = rows.speedB.top - FLAG_REACH;
 const TEXT_Y = 12.8;
 
 export class PairPlayhead {

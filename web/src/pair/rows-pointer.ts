@@ -20,12 +20,14 @@ interface Hold {
   /** Whose time a drag moves: it stays the one where the drag began. */
   readonly clip: 0 | 1;
   readonly x: number;
-  /** On a ruler: the frame where a loop begins. */
-  readonly from: number | null;
+  readonly frame: number;
+  readonly kind: 'scrub' | 'loop';
+  /** Its end without a drag goes to the frame. A finger may be the first of two, or turn the page. */
+  readonly late: boolean;
   dragged: boolean;
 }
 
-/** A press on a ruler that moves less than this is no drag, in pixels. */
+/** A late press that moves less than this is no drag, in pixels. */
 const DRAG_START = 4;
 
 export function listenToRows(area: HTMLElement, state: PairState, two: TwoSignal): void {
@@ -70,18 +72,22 @@ class RowsPointer {
     const { clip, frame } = moment;
     this.area.setPointerCapture(event.pointerId);
     this.state.hovered.value = null;
-    if (event.pointerType === 'touch') this.touches.put(event.pointerId, place.x);
-    const from = this.isRuler(place) ? frame : null;
-    this.hold = this.touches.count > 1 ? null : { clip, x: place.x, from, dragged: false };
-    if (from === null) this.drag(place.x);
+    const byTouch = event.pointerType === 'touch';
+    if (byTouch) this.touches.put(event.pointerId, place.x);
+    const onFlag = this.isFlag(place);
+    const kind = rulerAt(place.y) === null || onFlag ? 'scrub' : 'loop';
+    const late = kind === 'loop' || (byTouch && !onFlag);
+    const several = this.touches.count > 1;
+    this.hold = several ? null : { clip, x: place.x, frame, kind, late, dragged: false };
+    if (!late) this.drag(place.x);
   }
 
-  private isRuler({ x, y }: Place): boolean {
+  private isFlag({ x, y }: Place): boolean {
     const shown = this.two.peek();
-    if (!shown || rulerAt(y) === null) return false;
+    if (!shown) return false;
     const { frames } = this.state.moment.peek();
     const [a, b] = shown.axes;
-    return !isOnFlag(x, y, [a.x(frames[0]), b.x(frames[1])]);
+    return isOnFlag(x, y, [a.x(frames[0]), b.x(frames[1])]);
   }
 
   private move(event: PointerEvent): void {
@@ -96,11 +102,12 @@ class RowsPointer {
     const { hold } = this;
     const axis = hold && this.two.peek()?.axes[hold.clip];
     if (!hold || !axis) return;
-    const { clip, from } = hold;
+    const { clip, frame: from, kind, late } = hold;
     const frame = axis.frameAt(x);
     hold.dragged ||= Math.abs(x - hold.x) >= DRAG_START;
-    if (from === null) this.state.clock.seek(clip, frame);
-    else if (hold.dragged && frame !== from) {
+    if (late && !hold.dragged) return;
+    if (kind === 'scrub') this.state.clock.seek(clip, frame);
+    else if (frame !== from) {
       const range = { a: Math.min(frame, from), b: Math.max(frame, from) };
       setLoop(this.state, this.two.peek(), clip, range);
     }
@@ -110,8 +117,8 @@ class RowsPointer {
     this.touches.lift(pointerId);
     const { hold } = this;
     this.hold = null;
-    if (type !== 'lostpointercapture' || !hold || hold.from === null || hold.dragged) return;
-    this.state.clock.seek(hold.clip, hold.from);
+    if (type === 'lostpointercapture' && hold?.late && !hold.dragged)
+      this.state.clock.seek(hold.clip, hold.frame);
   }
 
   private clear(event: MouseEvent): void {

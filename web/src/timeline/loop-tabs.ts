@@ -20,6 +20,8 @@ export interface LoopState {
 export type LoopText = Pick<TimelineText, 'loopStart' | 'loopEnd' | 'loopTip' | 'moment'>;
 
 const TENTH_S = 0.1;
+/** Ends nearer than two tabs are wide have theirs on the outer sides: neither hides the other. */
+const NARROW = 28;
 
 export class LoopTabs {
   readonly a = element('div', 'loop-tab a');
@@ -40,9 +42,11 @@ export class LoopTabs {
 
   update(state: LoopState, text: LoopText): void {
     this.state = state;
-    const { loop, looping } = state;
+    const { axis, loop, looping } = state;
+    const narrow = loop !== null && axis.x(loop.b) - axis.x(loop.a) < NARROW;
     for (const end of ['a', 'b'] as const) {
       this[end].hidden = loop === null;
+      this[end].classList.toggle('narrow', narrow);
       this[end].classList.toggle('off', !looping);
       if (loop !== null) this.place(end, loop[end], state, text);
     }

@@ -1,6 +1,7 @@
 /** A loop's ends and the axes of A and B in; a band over the rows, tabs at its ends on both rulers out. */
 import type { LoopRange } from '../player/clock';
 import { LoopTabs, type LoopText } from '../timeline/loop-tabs';
+import { FLAG_REACH } from './pair-playhead';
 import { bandPath, momentPath, type Places } from './ribbon';
 import { rows, ROWS_HEIGHT } from './rows-layout';
 import { svgElement } from './svg-element';
@@ -14,7 +15,7 @@ export interface PairLoopEvents {
 /** Of A and of B, in frames. */
 export type LoopRanges = readonly [LoopRange, LoopRange];
 
-export class PairLoop {
+export class PairLoopBand {
   private readonly svg = svgElement('svg', 'pair-graph');
   private readonly band = svgElement('path', 'pair-loop');
   private readonly ends = svgElement('path', 'pair-loop-ends');
@@ -34,13 +35,15 @@ export class PairLoop {
     target.append(this.svg);
   }
 
-  /** Over what has come since. */
+  /** Over what has come since, beside the flags of time. */
   raiseTabs(): void {
     const { top, height } = rows.ribbon;
+    const topA = top + FLAG_REACH;
+    const topB = top + height - FLAG_REACH - TAB_HEIGHT;
     this.tabs.forEach(({ a, b }, clip) => {
       for (const tab of [a, b]) {
         tab.classList.add('pair-loop-tab');
-        tab.style.top = `${clip === 0 ? top : top + height - TAB_HEIGHT}px`;
+        tab.style.top = `${clip === 0 ? topA : topB}px`;
         this.target.append(tab);
       }
     });
